@@ -1,0 +1,53 @@
+/// Frame parameters: registers of the accelerator, taken at start of frame. Formats: docs/architecture.md.
+#ifndef FLOORLINE_HLS_PARAMETERS_H
+#define FLOORLINE_HLS_PARAMETERS_H
+
+#include "types.h"
+
+namespace floorline {
+
+/// A projective map (u, v) -> (X / Z, Y / Z), row by row.
+/// frame_ring: X, Y in Q14.18 pixels, Z in Q4.28. birdseye: X, Y in Q14.18 metres, Z in Q4.28.
+struct ProjectiveMap {
+  ap_int<32> xu, xv, x1;
+  ap_int<32> yu, yv, y1;
+  ap_int<32> zu, zv, z1;
+};
+
+/// How pixels become masks.
+struct ThresholdParameters {
+  Pixel floor;              ///< The high threshold is never below this.
+  Pixel override_high;      ///< 0: use Otsu; else this value.
+  Pixel low;                ///< Threshold of the low bit.
+};
+
+/// How runs along a line become contact points.
+struct RuleParameters {
+  ap_uint<1> run_rule;      ///< 1: run rule (default), 0: the paper's triangle rule.
+  Size min_rows;            ///< Least rows of a run.
+  Size max_gap;             ///< Rows without a low pixel that a run survives.
+  Coordinate horizon_row;
+  ap_uint<10> height_ratio; ///< Q2.8: least obstacle height over camera height.
+};
+
+/// All that the host may change from frame to frame, but for the line table.
+struct FrameParameters {
+  Size width;
+  Size height;
+  ap_uint<1> grey;               ///< Input pixels are grey in their low byte.
+  ap_uint<1> replace_reference;  ///< This frame becomes the reference of the next ones.
+  ap_uint<1> tolerant;           ///< Difference: 1 distance from the 2x2 cell's range, 0 plain.
+  ap_uint<1> erode_high;
+  Size roi_first_row;
+  Size roi_last_row;
+  ap_uint<9> line_count;
+  ap_uint<24> cluster_gap;       ///< Metres, Q8.16: neighbouring points nearer than this are one obstacle.
+  ProjectiveMap homography;      ///< Current pixel -> reference pixel.
+  ProjectiveMap birdseye;        ///< Pixel -> floor metres in the robot frame.
+  ThresholdParameters threshold;
+  RuleParameters rule;
+};
+
+}  // namespace floorline
+
+#endif
