@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# The main job in one command: set up, build, render a sequence with exact ground truth, run the golden model and
+# the fixed-point kernels side by side, score, and write a report. Ends with the report's path.
+source "$(dirname "$0")/common.sh"
+
+./scripts/setup.sh
+say "building the floorline command"
+build release floorline
+floorline=build/release/bin/floorline
+out=out/demo
+mkdir -p out
+
+say "rendering scenes/demo.yaml"
+"$floorline" render scenes/demo.yaml --output "$out/sequence" --force
+say "golden model and HLS kernels, stage by stage"
+"$floorline" check "$out/sequence" --json "$out/check.json"
+say "scoring against the ground truth"
+"$floorline" score "$out/sequence" --json "$out/score.json"
+say "writing the report"
+"$floorline" report "$out/sequence" --output "$out/report.html"
+printf 'report: %s\n' "$root/$out/report.html"
