@@ -1,0 +1,15 @@
+// A local array filled, then read in another order.
+// top: array_local_buffer
+void array_local_buffer(const unsigned char in[32], unsigned char out[32]) {
+  unsigned char buffer[32];
+LOAD:
+  for (int i = 0; i < 32; ++i) {
+#pragma HLS PIPELINE II=1
+    buffer[i] = in[i];
+  }
+STORE:
+  for (int i = 0; i < 32; ++i) {
+#pragma HLS PIPELINE II=1
+    out[i] = buffer[(i * 5) & 31];
+  }
+}

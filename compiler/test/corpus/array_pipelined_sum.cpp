@@ -1,0 +1,11 @@
+// A pipelined reduction over a memory.
+// top: array_pipelined_sum
+int array_pipelined_sum(const short a[64]) {
+  int sum = 0;
+SUM:
+  for (int i = 0; i < 64; ++i) {
+#pragma HLS PIPELINE II=1
+    sum += a[i];
+  }
+  return sum;
+}

@@ -1,0 +1,9 @@
+// Read after write at a known distance of 3.
+// top: array_raw_distance_three
+void array_raw_distance_three(int a[40]) {
+CHAIN:
+  for (int i = 3; i < 40; ++i) {
+#pragma HLS PIPELINE
+    a[i] = a[i - 3] * 3 + a[i];
+  }
+}

@@ -1,0 +1,11 @@
+// One stream in, one out.
+// top: stream_copy
+#include "ap_int.h"
+#include "hls_stream.h"
+void stream_copy(hls::stream<ap_uint<8> >& in, hls::stream<ap_uint<8> >& out) {
+COPY:
+  for (int i = 0; i < 64; ++i) {
+#pragma HLS PIPELINE II=1
+    out.write(in.read() + 1);
+  }
+}

@@ -1,0 +1,10 @@
+// Prefix sum with a carried register.
+// top: textbook_prefix_sum
+void textbook_prefix_sum(const int in[32], int out[32]) {
+  int sum = 0;
+  for (int i = 0; i < 32; ++i) {
+#pragma HLS PIPELINE II=1
+    sum += in[i];
+    out[i] = sum;
+  }
+}
