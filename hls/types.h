@@ -23,16 +23,18 @@ struct PixelPair {
 };
 
 /// One Bresenham line as the polar engine walks it, top to bottom, one row a step (run-slice Bresenham).
-/// In row first_row the run starts at first_column and holds first_run pixels; later runs hold slice or slice + 1.
+/// In row first_row the run starts at first_column and holds first_run pixels; later runs hold slice or slice + 1, the
+/// last one last_run.
 struct LineSetup {
   Coordinate first_column;
   Size first_row;
   Size last_row;
   Size first_run;
-  Size slice;            ///< q: whole columns per row, 0 for steep lines.
+  Size last_run;         ///< Pixels in row last_row: the end point cuts the last run short.
+  Size slice;            ///< q: whole columns per row, 0 for steep lines (one pixel a row).
   Size remainder;        ///< Added to the error each row.
-  Size divisor;          ///< Overflow bound of the error.
-  ap_int<13> first_error;
+  Size divisor;          ///< The error overflows when it reaches this; 1 for lines of a single row.
+  Size first_error;      ///< Error in row first_row, below divisor.
   ap_uint<1> leftward;       ///< 1: columns fall as rows grow.
   ap_uint<1> contact_first;  ///< 1: the contact is the first row of a run.
 };
