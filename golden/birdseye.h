@@ -1,0 +1,23 @@
+/// Golden twin of hls/birdseye.h: contact points on the floor.
+#ifndef FLOORLINE_GOLDEN_BIRDSEYE_H
+#define FLOORLINE_GOLDEN_BIRDSEYE_H
+
+#include <vector>
+
+#include "golden/polar.h"
+
+namespace floorline::golden {
+
+/// A contact on the floor: robot frame, metres.
+struct FloorPoint {
+  Contact contact;
+  double x = 0;  ///< Forward.
+  double y = 0;  ///< Left.
+};
+
+/// Maps each contact by `floor_from_pixel` (ICVS paper, eq. 14-15).
+std::vector<FloorPoint> birdseye(const std::vector<Contact>& contacts, const cv::Matx33d& floor_from_pixel);
+
+}  // namespace floorline::golden
+
+#endif

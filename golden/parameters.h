@@ -1,0 +1,55 @@
+/// Parameters of the golden pipeline in natural units; the fixed-point ones are in hls/parameters.h.
+#ifndef FLOORLINE_GOLDEN_PARAMETERS_H
+#define FLOORLINE_GOLDEN_PARAMETERS_H
+
+#include <opencv2/core.hpp>
+#include <vector>
+
+namespace floorline::golden {
+
+/// Grey levels.
+struct Thresholds {
+  int floor = 20;         ///< The high threshold is never below this.
+  int override_high = 0;  ///< 0: Otsu's of the frame before; else this value.
+  int low = 11;
+};
+
+/// How a run along a line becomes a contact point (docs/architecture.md, Rules).
+enum class Rule { paper, run };
+
+struct RuleParameters {
+  Rule kind = Rule::run;
+  int min_rows = 12;        ///< Least rows of a run.
+  int max_gap = 3;          ///< Rows without a low pixel that a run survives.
+  double horizon_row = 0;   ///< Row of the horizon at the image centre.
+  double height_ratio = 0;  ///< Least obstacle height over camera height; 0: no least height.
+};
+
+/// A line of the polar histogram by its end points, walked from `first` (the upper one) to `last`. Rows from
+/// 0 on; columns may lie outside the image.
+struct Line {
+  cv::Point first;
+  cv::Point last;
+  bool contact_first =
+      false;  ///< The contact is the first row of a run: the line is walked away from the nadir.
+};
+
+struct Parameters {
+  bool replace_reference = true;  ///< This frame becomes the reference of the next ones.
+  bool tolerant = true;  ///< Difference: distance from the 2x2 cell's range instead of the nearest pixel.
+  bool erode_high = false;
+  int roi_first_row = 0;
+  int roi_last_row = 0;  ///< Inclusive.
+  cv::Matx33d homography =
+      cv::Matx33d::eye();                     ///< Current pixel -> reference pixel, Z near 1 over the frame.
+  cv::Matx33d birdseye = cv::Matx33d::eye();  ///< Pixel -> floor metres, robot frame.
+  Thresholds threshold;
+  RuleParameters rule;
+  std::vector<Line> lines;
+  double cluster_gap_m = 0.25;  ///< Points of neighbouring lines nearer than this are one obstacle.
+  int min_lines = 2;            ///< Least neighbouring lines of an obstacle: lone lines are mostly noise.
+};
+
+}  // namespace floorline::golden
+
+#endif
