@@ -1,0 +1,289 @@
+/// Polar histogram, triangle scores and contact points along Bresenham lines (ICVS paper, algorithm 1, eq.
+/// 17-18).
+///
+/// One time-multiplexed engine walks all lines: while row v streams into one half of a two-row buffer, every
+/// line takes its step in row v - 1, one line a clock. A step covers the run of columns that Bresenham's
+/// algorithm gives the line in that row (run-slice form, LineSetup): steep lines one pixel, shallow ones
+/// several.
+///
+/// Per column the buffer holds what a step needs, so that a run of any length costs two reads:
+///   before  high bits in the columns left of this one (running count), so the high bits in columns [a, b]
+///   are
+///           before(b) + high(b) - before(a);
+///   window  eq. (17) around the column, columns outside the image read 0. Paper rule: a_high over 3 columns
+///   (l = 1).
+///           Run rule: bit 1 is a_high >= 1, bit 0 a_low >= 1, over 5 columns (l = 2).
+///
+/// Definitions at the borders. a_r belongs to the first column of the run in walk order; where that lies
+/// outside the image, a_r = 0. Only columns inside the image are counted. Rows at or below `height` do not
+/// exist: a line that reaches there ends in the image's last row. A line that starts there has count 0. Lines
+/// beyond width - LINE_SLACK are not walked (the host refuses such sets). With no lines there are no contacts
+/// and one LineCount {0, 0, end}.
+///
+/// Rules (docs/architecture.md): a run starts at a row where `present` holds (paper: a_high > 0, run: a_low
+/// >= 1) and ends at the first row that is more than the allowed gap (paper: 0) below its last present row,
+/// or at the line's last row, then `clipped`. rows = last present row - first + 1. Paper: S_c counts up while
+/// a_r does not grow, else 0; contact when S_c > 4, in the last present row. Run: contact when rows >=
+/// max(min_rows, least height there) and at least a third of the rows are high; in the last present row, or
+/// the first for contact_first lines (ignored by the paper rule).
+///
+/// Cycles a frame: width * height + LINE_DELAY + line_count + depth, II = 1. Latency from the last pixel of
+/// the deciding row to the contact: LINE_DELAY + line index + depth; from the decided pixel itself at most
+/// width more. depth: ~12.
+#ifndef FLOORLINE_HLS_POLAR_H
+#define FLOORLINE_HLS_POLAR_H
+
+#include "hls_stream.h"
+#include "parameters.h"
+#include "types.h"
+
+namespace floorline {
+namespace polar_engine {
+
+/// Columns between the start of a row and the step of line 0: the last two windows of the row before complete
+/// in columns 0 and 1, and their writes need time to land before a line reads them.
+const int LINE_DELAY = 4;
+/// Columns of a row that no line may take: LINE_DELAY, and the depth of the pipeline, so that a line's state
+/// is written back long before its next step and the last step reads its row before the row is overwritten.
+const int LINE_SLACK = 16;
+/// A triangle of the paper has S_c above this.
+const int TRIANGLE_SCORE = 4;
+
+/// What the steps need of one column, see above.
+struct Summary {
+  Size before;
+  ap_uint<1> high;
+  ap_uint<2> window;
+};
+
+/// Where a line stands between two rows.
+struct LineState {
+  Coordinate column;  ///< First column of the coming run.
+  Size error;
+  ap_uint<1> carry;           ///< The coming run has slice + 1 pixels.
+  Size count;                 ///< High pixels so far.
+  ap_uint<2> present;         ///< Within a run: paper a_r of the row before, run rule 1. 0: no run.
+  Size first_row;             ///< First present row of the run.
+  Size last_row;              ///< Last present row of the run.
+  Size score;                 ///< Paper: S_c. Run rule: high rows.
+  Coordinate contact_column;  ///< u of the contact that the run would give.
+};
+
+/// Columns that a line covers in one row, and its state for the next row (but for rule and count).
+struct Step {
+  Coordinate first;  ///< First column in walk order.
+  Coordinate last;   ///< Last column in walk order.
+  LineState next;
+};
+
+/// The last five pixels of the stream; [2] is the centre of the window.
+struct Taps {
+  Mask pixel[5];
+};
+
+inline void shift(Taps& taps, Mask pixel) {
+#pragma HLS INLINE
+SHIFT:
+  for (int i = 4; i > 0; --i) {
+#pragma HLS UNROLL
+    taps.pixel[i] = taps.pixel[i - 1];
+  }
+  taps.pixel[0] = pixel;
+}
+
+/// eq. (17) around the centre when the newest pixel is in `column`. Columns 0 and 1 complete the end of the
+/// row before; taps that belong to the neighbouring row read 0.
+inline ap_uint<2> window_sum(const Taps& taps, Size column, ap_uint<1> run_rule) {
+#pragma HLS INLINE
+  const Mask right2 = column < 2 ? Mask(0) : taps.pixel[0];
+  const Mask right1 = column == 1 ? Mask(0) : taps.pixel[1];
+  const Mask left1 = column == 2 ? Mask(0) : taps.pixel[3];
+  const Mask left2 = column == 2 || column == 3 ? Mask(0) : taps.pixel[4];
+  const Mask any = right2 | right1 | taps.pixel[2] | left1 | left2;
+  const ap_uint<2> sum = ap_uint<1>(right1[1]) + ap_uint<1>(taps.pixel[2][1]) + ap_uint<1>(left1[1]);
+  return run_rule ? ap_uint<2>(any) : sum;
+}
+
+/// One step of the run-slice walk in `row`.
+inline Step walk(const LineSetup& line, const LineState& state, Size row) {
+#pragma HLS INLINE
+  Step step;
+  step.next = state;
+  const bool starts = row == line.first_row;
+  if (starts) {
+    step.next.column = line.first_column;
+    step.next.error = line.first_error;
+    step.next.count = 0;
+    step.next.present = 0;
+  }
+  Size run = line.slice == 0 ? Size(1) : Size(line.slice + state.carry);
+  if (starts) run = line.first_run;
+  if (row == line.last_row) run = line.last_run;
+
+  step.first = step.next.column;
+  step.last = line.leftward ? Coordinate(step.first - run + 1) : Coordinate(step.first + run - 1);
+
+  const ap_uint<13> error = step.next.error + line.remainder;
+  const ap_uint<1> carry = error >= line.divisor;
+  const Size advance = line.slice == 0 ? Size(carry) : run;
+  step.next.error = carry ? Size(error - line.divisor) : Size(error);
+  step.next.carry = carry;
+  step.next.column = line.leftward ? Coordinate(step.first - advance) : Coordinate(step.first + advance);
+  return step;
+}
+
+inline Size clamp_column(Coordinate column, Size width) {
+#pragma HLS INLINE
+  if (column < 0) return 0;
+  return column < width ? Size(column) : Size(width - 1);
+}
+
+/// Feeds a_r of `row` to the rule. True when a run ended here as a contact, which is then in `contact`.
+inline bool apply_rule(const RuleParameters& rule, const LineSetup& line, Size row, bool line_ends,
+                       Coordinate column, ap_uint<2> window, LineState& state, Contact& contact) {
+#pragma HLS INLINE
+  const bool in_run = state.present != 0;
+  const bool first_counts = rule.run_rule && line.contact_first;
+  const ap_uint<2> present = rule.run_rule ? ap_uint<2>(window & 1) : window;
+  if (present != 0) {
+    const Size high_rows = (in_run ? state.score : Size(0)) + ap_uint<1>(window[1]);
+    const Size triangle = window <= state.present ? Size(state.score + 1) : Size(0);
+    state.score = rule.run_rule ? high_rows : triangle;
+    if (!in_run) state.first_row = row;
+    if (!in_run || !first_counts) state.contact_column = column;
+    state.last_row = row;
+  }
+  const Size gap = row - state.last_row;
+  const bool gap_ends = gap > (rule.run_rule ? rule.max_gap : Size(0));
+  const bool ended = (in_run || present != 0) && (gap_ends || line_ends);
+  if (ended) {
+    state.present = 0;
+  } else if (present != 0) {
+    state.present = present;
+  }
+
+  const Size rows = state.last_row - state.first_row + 1;
+  const Size contact_row = first_counts ? state.first_row : state.last_row;
+  const ap_int<24> least_rows = ((contact_row - rule.horizon_row) * rule.height_ratio) >> 8;
+  const bool tall = rows >= rule.min_rows && rows >= least_rows && 3 * state.score >= rows;
+  const bool triangle = state.score > TRIANGLE_SCORE;
+
+  contact.u = state.contact_column;
+  contact.v = contact_row;
+  contact.rows = rule.run_rule ? rows : state.score;
+  contact.clipped = !gap_ends;
+  contact.end = 0;
+  return ended && (rule.run_rule ? tall : triangle);
+}
+
+}  // namespace polar_engine
+
+/// Mask (width * height pixels) -> contacts, in the order of their deciding rows, and one LineCount a line at
+/// frame end. Widths of at least LINE_SLACK, up to MAX_WIDTH; lines: host memory of MAX_LINES entries, read
+/// once a row.
+template <int MAX_WIDTH, int MAX_LINES>
+void polar(hls::stream<Mask>& mask, hls::stream<Contact>& contacts, hls::stream<LineCount>& counts,
+           Size width, Size height, ap_uint<9> line_count, const RuleParameters& rule,
+           const LineSetup lines[MAX_LINES]) {
+  static_assert(MAX_LINES <= 256, "LineIndex holds 8 bits: at most 256 lines");
+  using namespace polar_engine;
+  // Row v lies in half v & 1. Two copies, one for each end of a run.
+  static Summary first_columns[MAX_WIDTH][2];
+  static Summary last_columns[MAX_WIDTH][2];
+  static LineState states[MAX_LINES];
+#pragma HLS AGGREGATE variable = first_columns
+#pragma HLS AGGREGATE variable = last_columns
+#pragma HLS AGGREGATE variable = states
+// A line reads its row LINE_DELAY or more columns after the row was written and LINE_SLACK - LINE_DELAY or
+// more before it is overwritten; its state was written one width (>= LINE_SLACK) before.
+#pragma HLS DEPENDENCE variable = first_columns inter false
+#pragma HLS DEPENDENCE variable = last_columns inter false
+#pragma HLS DEPENDENCE variable = states inter false
+
+  const Size free_columns = width < LINE_SLACK ? Size(0) : Size(width - LINE_SLACK);
+  const ap_uint<9> walked = line_count < free_columns ? line_count : ap_uint<9>(free_columns);
+  const ap_uint<24> cycles = width * height + LINE_DELAY + walked;
+  Taps taps;
+  for (int i = 0; i < 5; ++i) {
+#pragma HLS UNROLL
+    taps.pixel[i] = 0;
+  }
+  Size row = 0;
+  Size column = 0;
+  Size high_before = 0;
+
+  if (walked == 0) {
+    const LineCount none = {0, 0, 1};
+    counts.write(none);
+  }
+
+CYCLES:
+  for (ap_uint<24> cycle = 0; cycle < cycles; ++cycle) {
+#pragma HLS PIPELINE II = 1
+#pragma HLS LOOP_TRIPCOUNT min = 308000 max = 308000
+    // The row that comes in.
+    const bool streaming = row < height;
+    Mask pixel = 0;
+    if (streaming) pixel = mask.read();
+    shift(taps, pixel);
+    const bool row_before = column < 2;
+    const Size centre = row_before ? Size(width + column - 2) : Size(column - 2);
+    const ap_uint<1> centre_half = row[0] ^ row_before;
+    const Summary summary = {high_before, taps.pixel[2][1], window_sum(taps, column, rule.run_rule)};
+    first_columns[centre][centre_half] = summary;
+    last_columns[centre][centre_half] = summary;
+    high_before = column == 1 ? Size(0) : Size(high_before + summary.high);
+
+    // The row before, one line.
+    const Size walked_row = row - 1;
+    const ap_uint<1> half = walked_row[0];
+    if (row != 0 && column >= LINE_DELAY && column < LINE_DELAY + walked) {
+      const LineIndex index = column - LINE_DELAY;
+      const LineSetup line = lines[index];
+      const Step step = walk(line, states[index], walked_row);
+      LineState next = step.next;
+      const bool walking = walked_row >= line.first_row && walked_row <= line.last_row;
+      if (walking) {
+        const Summary first = first_columns[clamp_column(step.first, width)][half];
+        const Summary last = last_columns[clamp_column(step.last, width)][half];
+        const Summary left = line.leftward ? last : first;
+        const Summary right = line.leftward ? first : last;
+        const Coordinate leftmost = line.leftward ? step.last : step.first;
+        const Coordinate rightmost = line.leftward ? step.first : step.last;
+        if (leftmost < width && rightmost >= 0) {
+          next.count += right.before + right.high - left.before;
+        }
+        const bool inside = step.first >= 0 && step.first < width;
+        const bool line_ends = walked_row == line.last_row || !streaming;
+        Contact contact;
+        contact.line = index;
+        if (apply_rule(rule, line, walked_row, line_ends, step.first, inside ? first.window : ap_uint<2>(0),
+                       next, contact)) {
+          contacts.write(contact);
+        }
+        states[index] = next;
+      }
+      if (!streaming) {
+        LineCount count;
+        count.line = index;
+        count.count = walked_row < line.first_row ? Size(0) : next.count;
+        count.end = index == walked - 1;
+        counts.write(count);
+      }
+    }
+
+    if (column == width - 1) {
+      column = 0;
+      ++row;
+    } else {
+      ++column;
+    }
+  }
+
+  const Contact end = {0, 0, 0, 0, 0, 1};
+  contacts.write(end);
+}
+
+}  // namespace floorline
+
+#endif
