@@ -9,9 +9,9 @@
 #include <cstdint>
 #include <string>
 
-namespace hlsc::fuzz {
+namespace hlsc::differential {
 
 /// The text of the program of this seed; the top is called `fuzz_top`. The same seed gives the same text.
 std::string generate_program(std::uint64_t seed);
 
-}  // namespace hlsc::fuzz
+}  // namespace hlsc::differential

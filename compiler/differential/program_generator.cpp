@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-namespace hlsc::fuzz {
+namespace hlsc::differential {
 namespace {
 
 enum class Kind { kNative, kInteger, kFixed };
@@ -486,4 +486,4 @@ class Generator {
 
 std::string generate_program(std::uint64_t seed) { return Generator(seed).program(); }
 
-}  // namespace hlsc::fuzz
+}  // namespace hlsc::differential
