@@ -1,0 +1,4 @@
+int exception_throw(int x) {
+  if (x < 0) throw 1;
+  return x;
+}

@@ -1,0 +1,1 @@
+float float_argument(float x) { return x * 2.0f; }

@@ -1,0 +1,4 @@
+int inline_assembly(int x) {
+  asm volatile("nop");
+  return x;
+}

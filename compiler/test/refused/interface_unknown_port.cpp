@@ -1,0 +1,4 @@
+int interface_unknown_port(int x) {
+#pragma HLS INTERFACE s_axilite port=y
+  return x + 1;
+}

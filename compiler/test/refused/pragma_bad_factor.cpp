@@ -1,0 +1,6 @@
+int pragma_bad_factor(int x) {
+  int a[8];
+#pragma HLS ARRAY_PARTITION variable=a cyclic factor=0
+  for (int i = 0; i < 8; ++i) a[i] = i * x;
+  return a[x & 7];
+}

@@ -1,0 +1,5 @@
+int pragma_partition_unknown_variable(int x) {
+  int a[4] = {x, 1, 2, 3};
+#pragma HLS ARRAY_PARTITION variable=b complete
+  return a[x & 3];
+}

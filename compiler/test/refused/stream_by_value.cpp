@@ -1,0 +1,2 @@
+#include "hls_stream.h"
+int stream_by_value(hls::stream<int> in) { return in.read(); }

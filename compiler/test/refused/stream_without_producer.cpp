@@ -1,0 +1,9 @@
+#include "hls_stream.h"
+static void consume(hls::stream<int>& s, hls::stream<int>& out) {
+  for (int i = 0; i < 16; ++i) out.write(s.read());
+}
+void stream_without_producer(hls::stream<int>& out) {
+#pragma HLS DATAFLOW
+  hls::stream<int> s;
+  consume(s, out);
+}

@@ -1,0 +1,1 @@
+int syntax_error(int x) { return x + ; }

@@ -1,0 +1,1 @@
+int not_the_top(int x) { return x; }

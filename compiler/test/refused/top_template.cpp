@@ -1,0 +1,4 @@
+template <int N>
+int top_template(int x) {
+  return x * N;
+}

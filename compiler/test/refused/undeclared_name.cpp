@@ -1,0 +1,1 @@
+int undeclared_name(int x) { return x + missing; }

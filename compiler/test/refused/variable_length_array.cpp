@@ -1,0 +1,5 @@
+int variable_length_array(int n) {
+  int a[n & 15];
+  for (int i = 0; i < (n & 15); ++i) a[i] = i;
+  return a[0];
+}

@@ -1,0 +1,5 @@
+int volatile_pointer(volatile int* port) {
+  int a = *port;
+  int b = *port;
+  return a - b;
+}
