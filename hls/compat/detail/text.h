@@ -1,0 +1,81 @@
+/// Numbers as text, for C simulation: printing and parsing in any radix from 2 to 36.
+#ifndef AP_DETAIL_TEXT_H
+#define AP_DETAIL_TEXT_H
+
+#include <algorithm>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+
+#include "operands.h"
+
+namespace ap_detail {
+
+inline const char* radix_prefix(int radix) {
+  return radix == 2 ? "0b" : radix == 8 ? "0o" : radix == 16 ? "0x" : "";
+}
+
+/// Digits of `bits`, most significant first.
+template <int W>
+std::string digits(Unsigned<W> bits, int radix) {
+  typedef Unsigned<larger(W, 7)> Wide;
+  std::string text;
+  Wide rest = bits;
+  do {
+    text += "0123456789abcdefghijklmnopqrstuvwxyz"[static_cast<int>(rest % static_cast<Wide>(radix))];
+    rest /= static_cast<Wide>(radix);
+  } while (rest != 0);
+  std::reverse(text.begin(), text.end());
+  return text;
+}
+
+/// Vitis style: prefix for radix 2, 8 and 16, minus sign in front of all.
+template <int W>
+std::string integer_text(Unsigned<W> bits, bool as_signed, int radix) {
+  const bool negative = as_signed && (bits >> (W - 1)) != 0;
+  const Unsigned<W> magnitude = negative ? static_cast<Unsigned<W>>(-bits) : bits;
+  return (negative ? "-" : "") + std::string(radix_prefix(radix)) + digits<W>(magnitude, radix);
+}
+
+inline int digit_value(char c) {
+  return c >= '0' && c <= '9'   ? c - '0'
+         : c >= 'a' && c <= 'z' ? c - 'a' + 10
+         : c >= 'A' && c <= 'Z' ? c - 'A' + 10
+                                : 36;
+}
+
+/// Takes a radix prefix off the text; 10 without one.
+inline int take_radix(const char*& text) {
+  if (text[0] != '0') return 10;
+  const int radix = (text[1] | 32) == 'x' ? 16 : (text[1] | 32) == 'b' ? 2 : (text[1] | 32) == 'o' ? 8 : 10;
+  if (radix != 10) text += 2;
+  return radix;
+}
+
+template <int W>
+Unsigned<W> parse_integer(const char* text, int radix) {
+  const std::string whole = text;
+  const bool negative = *text == '-';
+  if (*text == '-' || *text == '+') ++text;
+  const int prefix = take_radix(text);
+  if (radix == 0) radix = prefix;
+  typedef Unsigned<larger(W, 7)> Wide;
+  Wide value = 0;
+  for (; *text; ++text) {
+    if (digit_value(*text) >= radix) {
+      throw std::invalid_argument("\"" + whole + "\" is no number of radix " + std::to_string(radix) +
+                                  "; write digits, with 0x, 0b or 0o in front for another radix");
+    }
+    value = value * static_cast<Wide>(radix) + static_cast<Wide>(digit_value(*text));
+  }
+  return static_cast<Unsigned<W>>(negative ? -value : value);
+}
+
+inline int stream_radix(const std::ios_base& stream) {
+  const std::ios_base::fmtflags base = stream.flags() & std::ios_base::basefield;
+  return base == std::ios_base::hex ? 16 : base == std::ios_base::oct ? 8 : 10;
+}
+
+}  // namespace ap_detail
+
+#endif
