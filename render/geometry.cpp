@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 using Eigen::Vector3f;
 
 constexpr int round_sides = 40;        // of circles
-constexpr float marking_lift = 2e-4f;  // keeps paint above the floor for the ray tracer; too flat to see
+constexpr float marking_lift = 1e-4f;  // lays each marking over those before it; too flat to see
 
 double radians(double degrees) { return degrees * M_PI / 180; }
 
@@ -244,10 +244,10 @@ Mesh flat(const std::vector<Vector3f>& corners, const Material& material, int ma
   return mesh;
 }
 
-Mesh marking_mesh(const Marking& marking) {
+Mesh marking_mesh(const Marking& marking, float lift) {
   std::vector<Vector3f> corners;
   for (const Vector2d& corner : marking.polygon) {
-    corners.emplace_back(static_cast<float>(corner.x()), static_cast<float>(corner.y()), marking_lift);
+    corners.emplace_back(static_cast<float>(corner.x()), static_cast<float>(corner.y()), lift);
   }
   const Vector3f normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   if (normal.z() < 0) std::reverse(corners.begin(), corners.end());
@@ -283,7 +283,9 @@ std::vector<Mesh> build_meshes(const Scene& scene) {
   meshes.push_back(
       flat({{low.x(), low.y(), 0}, {high.x(), low.y(), 0}, {high.x(), high.y(), 0}, {low.x(), high.y(), 0}},
            scene.room.floor, MaskValue::floor));
-  for (const Marking& marking : scene.markings) meshes.push_back(marking_mesh(marking));
+  for (std::size_t i = 0; i < scene.markings.size(); ++i) {
+    meshes.push_back(marking_mesh(scene.markings[i], marking_lift * static_cast<float>(i + 1)));
+  }
   add_walls(meshes, scene.room);
   for (std::size_t i = 0; i < scene.obstacles.size(); ++i) {
     meshes.push_back(obstacle_mesh(scene.obstacles[i], static_cast<int>(i)));

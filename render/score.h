@@ -26,20 +26,21 @@ struct ScoreRules {
 
 /// Counts over frames; add them up with +=.
 struct Score {
-  int due = 0;         ///< Obstacles that should be reported.
-  int found = 0;       ///< Due obstacles with a report within the tolerance of their contact curve.
-  int right = 0;       ///< Reports at the foot of an obstacle or wall.
-  int wrong = 0;       ///< Reports at no foot.
-  int neutral = 0;     ///< Reports beyond range, or at obstacles too low or too hidden to be due.
-  int duplicates = 0;  ///< Reports beyond the first at one foot (connected contact curve) of an obstacle.
-  int marked = 0;      ///< Wrong reports that lie on or at a floor marking.
-  int markings = 0;    ///< Markings within range, summed over frames.
+  int due = 0;           ///< Obstacles that should be reported.
+  int found = 0;         ///< Due obstacles with a report within the tolerance of their contact curve.
+  int right = 0;         ///< Reports at the foot of an obstacle or wall.
+  int wrong = 0;         ///< Reports at no foot.
+  int neutral = 0;       ///< Reports beyond range, or at obstacles too low or too hidden to be due.
+  int at_obstacles = 0;  ///< Right reports nearest to an obstacle, not to a wall.
+  int duplicates = 0;    ///< Reports beyond the first at one foot (connected contact curve) of an obstacle.
+  int marked = 0;        ///< Markings with a wrong report on them or within 5 cm.
+  int markings = 0;      ///< Markings with their middle ahead of the robot and within range.
   std::vector<double>
       errors_m;  ///< Distance of right reports nearer than near_range_m from their contact curve.
 
   double recall() const;
   double precision() const;
-  double duplicate_share() const;  ///< Of the right reports at obstacles.
+  double duplicate_share() const;  ///< Of the reports at obstacles.
   double marking_share() const;    ///< Markings reported, of all markings.
   double median_error_m() const;
   Score& operator+=(const Score& other);

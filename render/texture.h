@@ -19,7 +19,7 @@ struct Footprint {
 /// Values 0 to 1 over the plane, repeating every period_m in both directions.
 class Texture {
  public:
-  /// `texels` (a power of two) a side. The period is about `texels` mm, a whole number of `size_m`.
+  /// `texels` (a power of two) a side. The period is about 1.6 mm times `texels`, a whole number of `size_m`.
   Texture(Pattern pattern, double size_m, std::uint64_t seed, int texels);
 
   /// Mean value under the footprint around `at` (metres on the surface).

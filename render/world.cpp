@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <opencv2/imgproc.hpp>
 #include <optional>
+#include <tuple>
 
 #include "geometry.h"
 #include "lens.h"
@@ -26,8 +28,8 @@ constexpr int packet = 8;             // rays that Embree traces at once
 constexpr float lift = 1e-3f;         // start of shadow rays off the surface, metres
 constexpr float lens_blur_px = 0.5f;  // standard deviation of the lens' point spread
 constexpr double contact_step_m = 0.01;
-constexpr int floor_texels = 2048;
-constexpr int other_texels = 512;
+constexpr int floor_texels = 1024;
+constexpr int other_texels = 256;
 
 struct Hit {
   const Mesh* mesh;
@@ -119,10 +121,9 @@ const char* name_of(ObstacleKind kind) {
 struct World::Tracer {
   explicit Tracer(const Scene& scene_in)
       : scene(scene_in), meshes(build_meshes(scene)), lens(scene.image, scene.camera) {
-    for (std::size_t i = 0; i < meshes.size(); ++i) {
-      const Material& material = meshes[i].material;
-      const int texels = meshes[i].mask_value == MaskValue::floor ? floor_texels : other_texels;
-      textures.emplace_back(material.pattern, material.size_m, mix(scene.seed) + i, texels);
+    for (const Mesh& mesh : meshes) {
+      const int texels = mesh.mask_value == MaskValue::floor ? floor_texels : other_texels;
+      textures.push_back(texture_of(mesh.material, texels));
     }
     device = rtcNewDevice(nullptr);
     accelerator = rtcNewScene(device);
@@ -141,6 +142,14 @@ struct World::Tracer {
   }
   Tracer(const Tracer&) = delete;
   Tracer& operator=(const Tracer&) = delete;
+
+  // Surfaces of one pattern and size share a texture: baking costs more than a frame.
+  const Texture* texture_of(const Material& material, int texels) {
+    std::unique_ptr<Texture>& texture = baked[{material.pattern, material.size_m, texels}];
+    if (!texture)
+      texture = std::make_unique<Texture>(material.pattern, material.size_m, mix(scene.seed), texels);
+    return texture.get();
+  }
 
   void attach(const Mesh& mesh) {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -168,7 +177,8 @@ struct World::Tracer {
 
   Scene scene;
   std::vector<Mesh> meshes;
-  std::vector<Texture> textures;
+  std::vector<const Texture*> textures;  // one a mesh
+  std::map<std::tuple<Pattern, double, int>, std::unique_ptr<Texture>> baked;
   LensRays lens;
   std::vector<Vector3f> lamp;  // a point of it for each sample of a pixel
   RTCDevice device;
@@ -185,18 +195,20 @@ std::optional<Hit> World::Tracer::hit_of(const RTCRayHit8& rays, int lane, const
   const float wb = rays.hit.u[lane], wc = rays.hit.v[lane], wa = 1 - wb - wc;
   const Vector3f direction(rays.ray.dir_x[lane], rays.ray.dir_y[lane], rays.ray.dir_z[lane]);
   Hit hit{&mesh,
-          &textures[id],
+          textures[id],
           origin + direction * rays.ray.tfar[lane],
           (wa * a.normal + wb * b.normal + wc * c.normal).normalized(),
           wa * a.surface + wb * b.surface + wc * c.surface,
           {}};
-  // A pixel's cone cuts the surface in an ellipse, stretched by 1 / cos along the view.
+  // A pixel's cone cuts the surface in an ellipse, stretched by 1 / cos along the view. The samples of a
+  // pixel share it: along the view, which is mostly up and down the image, each has a row of its own.
+  const auto samples = static_cast<float>(scene.image.samples);
   const Vector3f view = direction.normalized();
   const float cosine = std::max(std::abs(view.dot(hit.normal)), 0.02f);
-  const float radius = lens.pixel_angle() / 2 / std::sqrt(static_cast<float>(scene.image.samples)) *
-                       (hit.position - origin).norm();
+  const float radius = lens.pixel_angle() / 2 * (hit.position - origin).norm() / std::sqrt(samples);
+  const float stretched = std::max(radius, radius / cosine / std::sqrt(samples));
   const Vector3f along = (view - view.dot(hit.normal) * hit.normal).normalized();
-  hit.footprint = {surface_direction(mesh, triangle, along) * (radius / cosine), radius};
+  hit.footprint = {surface_direction(mesh, triangle, along) * stretched, radius};
   return hit;
 }
 
