@@ -35,7 +35,7 @@
 
 #include "hls_stream.h"
 #include "parameters.h"
-#include "types.h"
+#include "raster.h"
 
 namespace floorline {
 namespace polar_engine {
@@ -138,6 +138,18 @@ inline Size clamp_column(Coordinate column, Size width) {
   return column < width ? Size(column) : Size(width - 1);
 }
 
+/// All columns of the step lie left of the image, or all right of it.
+inline bool beside_image(const Step& step, Size width) {
+#pragma HLS INLINE
+  return (step.first < 0 && step.last < 0) || (step.first >= width && step.last >= width);
+}
+
+/// High pixels from column `left` to column `right`.
+inline Size high_between(const Summary& left, const Summary& right) {
+#pragma HLS INLINE
+  return right.before + right.high - left.before;
+}
+
 /// Feeds a_r of `row` to the rule. True when a run ended here as a contact, which is then in `contact`.
 inline bool apply_rule(const RuleParameters& rule, const LineSetup& line, Size row, bool line_ends,
                        Coordinate column, ap_uint<2> window, LineState& state, Contact& contact) {
@@ -181,7 +193,7 @@ inline bool apply_rule(const RuleParameters& rule, const LineSetup& line, Size r
 /// Mask (width * height pixels) -> contacts, in the order of their deciding rows, and one LineCount a line at
 /// frame end. Widths of at least LINE_SLACK, up to MAX_WIDTH; lines: host memory of MAX_LINES entries, read
 /// once a row.
-template <int MAX_WIDTH, int MAX_LINES>
+template <int MAX_WIDTH, int MAX_HEIGHT, int MAX_LINES>
 void polar(hls::stream<Mask>& mask, hls::stream<Contact>& contacts, hls::stream<LineCount>& counts,
            Size width, Size height, ap_uint<9> line_count, const RuleParameters& rule,
            const LineSetup lines[MAX_LINES]) {
@@ -202,14 +214,12 @@ void polar(hls::stream<Mask>& mask, hls::stream<Contact>& contacts, hls::stream<
 
   const Size free_columns = width < LINE_SLACK ? Size(0) : Size(width - LINE_SLACK);
   const ap_uint<9> walked = line_count < free_columns ? line_count : ap_uint<9>(free_columns);
-  const ap_uint<24> cycles = width * height + LINE_DELAY + walked;
+  const Size tail = LINE_DELAY + walked;
   Taps taps;
   for (int i = 0; i < 5; ++i) {
 #pragma HLS UNROLL
     taps.pixel[i] = 0;
   }
-  Size row = 0;
-  Size column = 0;
   Size high_before = 0;
 
   if (walked == 0) {
@@ -218,65 +228,52 @@ void polar(hls::stream<Mask>& mask, hls::stream<Contact>& contacts, hls::stream<
   }
 
 CYCLES:
-  for (ap_uint<24> cycle = 0; cycle < cycles; ++cycle) {
+  // Row `height` holds no pixels, just the steps of the lines in the last row.
+  for (RasterPosition at(width); at.v < height || (at.v == height && at.u < tail); at.advance()) {
 #pragma HLS PIPELINE II = 1
-#pragma HLS LOOP_TRIPCOUNT min = 308000 max = 308000
+#pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT + MAX_LINES
     // The row that comes in.
-    const bool streaming = row < height;
+    const bool streaming = at.v < height;
     Mask pixel = 0;
     if (streaming) pixel = mask.read();
     shift(taps, pixel);
-    const bool row_before = column < 2;
-    const Size centre = row_before ? Size(width + column - 2) : Size(column - 2);
-    const ap_uint<1> centre_half = row[0] ^ row_before;
-    const Summary summary = {high_before, taps.pixel[2][1], window_sum(taps, column, rule.run_rule)};
+    const bool row_before = at.u < 2;
+    const Size centre = row_before ? Size(width + at.u - 2) : Size(at.u - 2);
+    const ap_uint<1> centre_half = at.v[0] ^ ap_uint<1>(row_before);
+    const Summary summary = {high_before, ap_uint<1>(taps.pixel[2][1]),
+                             window_sum(taps, at.u, rule.run_rule)};
     first_columns[centre][centre_half] = summary;
     last_columns[centre][centre_half] = summary;
-    high_before = column == 1 ? Size(0) : Size(high_before + summary.high);
+    high_before = at.u == 1 ? Size(0) : Size(high_before + summary.high);
 
     // The row before, one line.
-    const Size walked_row = row - 1;
-    const ap_uint<1> half = walked_row[0];
-    if (row != 0 && column >= LINE_DELAY && column < LINE_DELAY + walked) {
-      const LineIndex index = column - LINE_DELAY;
+    const Size row = at.v - 1;
+    const ap_uint<1> half = row[0];
+    if (at.v != 0 && at.u >= LINE_DELAY && at.u < tail) {
+      const LineIndex index = at.u - LINE_DELAY;
       const LineSetup line = lines[index];
-      const Step step = walk(line, states[index], walked_row);
+      const Step step = walk(line, states[index], row);
       LineState next = step.next;
-      const bool walking = walked_row >= line.first_row && walked_row <= line.last_row;
-      if (walking) {
+      if (row >= line.first_row && row <= line.last_row) {
         const Summary first = first_columns[clamp_column(step.first, width)][half];
         const Summary last = last_columns[clamp_column(step.last, width)][half];
-        const Summary left = line.leftward ? last : first;
-        const Summary right = line.leftward ? first : last;
-        const Coordinate leftmost = line.leftward ? step.last : step.first;
-        const Coordinate rightmost = line.leftward ? step.first : step.last;
-        if (leftmost < width && rightmost >= 0) {
-          next.count += right.before + right.high - left.before;
+        if (!beside_image(step, width)) {
+          next.count += line.leftward ? high_between(last, first) : high_between(first, last);
         }
         const bool inside = step.first >= 0 && step.first < width;
-        const bool line_ends = walked_row == line.last_row || !streaming;
+        const bool line_ends = row == line.last_row || !streaming;
         Contact contact;
         contact.line = index;
-        if (apply_rule(rule, line, walked_row, line_ends, step.first, inside ? first.window : ap_uint<2>(0),
-                       next, contact)) {
+        if (apply_rule(rule, line, row, line_ends, step.first, inside ? first.window : ap_uint<2>(0), next,
+                       contact)) {
           contacts.write(contact);
         }
         states[index] = next;
       }
       if (!streaming) {
-        LineCount count;
-        count.line = index;
-        count.count = walked_row < line.first_row ? Size(0) : next.count;
-        count.end = index == walked - 1;
+        const LineCount count = {index, row < line.first_row ? Size(0) : next.count, index == walked - 1};
         counts.write(count);
       }
-    }
-
-    if (column == width - 1) {
-      column = 0;
-      ++row;
-    } else {
-      ++column;
     }
   }
 

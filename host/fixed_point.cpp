@@ -1,5 +1,6 @@
 #include "host/fixed_point.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
 #include <string>

@@ -14,7 +14,8 @@ namespace floorline {
 struct FrameOutput {
   std::vector<FloorPoint> points;
   std::vector<Obstacle> obstacles;
-  std::vector<LineCount> counts;
+  std::vector<LineCount> counts;  ///< One a line.
+  int null_pixels;                ///< Pixels without a counterpart in the reference.
 };
 
 /// What runs between the stages for one frame. Images CV_8UC1; masks hold 0 to 3 (bit 1 high, bit 0 low).
@@ -44,8 +45,7 @@ class CSimulation {
                   StageCapture* capture = nullptr);
 
  private:
-  using Frame = FrameOutput(const cv::Mat&, const FrameParameters&, const std::vector<LineSetup>&,
-                            StageCapture*);
+  using Frame = FrameOutput(const cv::Mat&, const FrameParameters&, std::vector<LineSetup>, StageCapture*);
   cv::Size maximum_;
   std::size_t most_lines_;
   Frame* frame_;
