@@ -15,7 +15,12 @@ struct FloorPoint {
   double y = 0;  ///< Left.
 };
 
-/// Maps each contact by `floor_from_pixel` (ICVS paper, eq. 14-15).
+/// Floor points farther ahead or to a side than this are dropped.
+constexpr double farthest_m = 128;
+
+/// Maps each contact by `floor_from_pixel` (ICVS paper, eq. 14-15), scaled so that Z = 1 in the middle of the
+/// rows of interest. Contacts whose Z is not resolved (parameters.h) or that lie beyond farthest_m are
+/// dropped.
 std::vector<FloorPoint> birdseye(const std::vector<Contact>& contacts, const cv::Matx33d& floor_from_pixel);
 
 }  // namespace floorline::golden

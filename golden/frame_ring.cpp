@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "golden/parameters.h"
+
 namespace floorline::golden {
 namespace {
 
@@ -15,7 +17,7 @@ void pair_row(PixelPairs& pairs, const cv::Mat& reference, const cv::Matx33d& h,
   uchar* valid = pairs.valid.ptr(v);
   for (int u = 0; u <= last_column; ++u) {
     const double z = h(2, 0) * u + h(2, 1) * v + h(2, 2);
-    if (!(z > FrameRing::least_denominator && z < FrameRing::greatest_denominator)) continue;
+    if (!denominator_resolved(z)) continue;
     const double x = (h(0, 0) * u + h(0, 1) * v + h(0, 2)) / z;
     const double y = (h(1, 0) * u + h(1, 1) * v + h(1, 2)) / z;
     if (!(x >= -0.5 && x < last_column + 0.5 && y >= -0.5 && y < last_row + 0.5)) continue;

@@ -22,10 +22,6 @@ struct PixelPairs {
 /// that row and those above are lost to row v and the rows below.
 class FrameRing {
  public:
-  /// A projective denominator Z at or below the first, or at or above the second, gives no valid pixel.
-  static constexpr double least_denominator = 1.0 / 16.0;
-  static constexpr double greatest_denominator = 8.0;
-
   /// ring_rows: at least the height of every frame.
   explicit FrameRing(int ring_rows);
 

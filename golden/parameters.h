@@ -7,6 +7,10 @@
 
 namespace floorline::golden {
 
+/// Whether the accelerator divides by the denominator Z of a projective map: 2^-4 < Z < 8. Maps are scaled so
+/// that Z = 1 in the middle of the rows of interest.
+inline bool denominator_resolved(double z) { return z > 1.0 / 16 && z < 8; }
+
 /// Grey levels.
 struct Thresholds {
   int floor = 20;         ///< The high threshold is never below this.

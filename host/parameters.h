@@ -1,0 +1,70 @@
+/// From calibration, odometry and settings to the parameters of every frame, floating-point and fixed-point.
+#ifndef FLOORLINE_HOST_PARAMETERS_H
+#define FLOORLINE_HOST_PARAMETERS_H
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <vector>
+
+#include "golden/lens.h"
+#include "golden/parameters.h"
+#include "hls/parameters.h"
+#include "hls/types.h"
+#include "host/camera.h"
+#include "host/reference_plan.h"
+
+namespace floorline {
+
+/// What a user chooses.
+struct Settings {
+  golden::Thresholds threshold;
+  golden::Rule rule = golden::Rule::run;
+  int min_rows = 12;             ///< Least rows of a run.
+  int max_gap = 3;               ///< Rows without a low pixel that a run survives.
+  double least_height_m = 0.06;  ///< Runs shorter than an obstacle of this height would be are dropped.
+  bool tolerant = true;          ///< Difference by the range of the 2x2 cell.
+  bool erode = false;            ///< Erosion of the high mask.
+  int line_count = 120;
+  int roi_margin_rows = 20;     ///< Rows between the horizon and the first one that is looked at.
+  double cluster_gap_m = 0.25;  ///< Points of neighbouring lines nearer than this are one obstacle.
+  int min_lines = 2;            ///< Least lines of an obstacle.
+  ReferenceRule reference;
+};
+
+/// The settings of the ICVS paper: its rule, erosion, Otsu's threshold alone, plain difference of successive
+/// frames.
+Settings paper_settings();
+
+/// What a camera on a robot keeps from frame to frame.
+class Configuration {
+ public:
+  /// Throws Error when no floor is in view, the camera is larger than every build of the accelerator, or the
+  /// lines cannot keep up.
+  Configuration(const Camera& camera, const Eigen::Isometry3d& robot_from_camera, const Settings& settings);
+
+  ReferencePlan reference_plan() const;
+  golden::Parameters golden_parameters(const PlannedFrame& frame) const;
+
+  /// Throws Error when a matrix cannot be packed within its error bound. `grey` as in FrameParameters.
+  FrameParameters frame_parameters(const PlannedFrame& frame, bool grey) const;
+
+  const std::vector<LineSetup>& lines() const { return lines_; }
+  cv::Rect roi() const { return roi_; }  ///< All columns; rows from below the horizon to the last.
+  int ring_rows() const { return ring_rows_; }
+
+  /// Rectification for a camera with distortion; the parameters are for rectified frames.
+  std::optional<golden::Lens> lens() const;
+
+ private:
+  Camera camera_;
+  Eigen::Isometry3d robot_from_camera_;
+  ReferenceRule reference_rule_;
+  cv::Rect roi_;
+  int ring_rows_;
+  std::vector<LineSetup> lines_;
+  golden::Parameters base_;  ///< All but the homography and the reference bit.
+};
+
+}  // namespace floorline
+
+#endif
