@@ -31,14 +31,26 @@ struct Bits {
   AP_INLINE ap_bit_ref<W, S> bit(int i) { return ap_bit_ref<W, S>(*this, i); }
   AP_INLINE ap_bit_ref<W, S> operator[](int i) { return bit(i); }
 
-  AP_INLINE ap_range_ref<W, S> range(int hi, int lo) { return ap_range_ref<W, S>(*this, hi, lo); }
-  AP_INLINE ap_range_ref<W, S> range() { return range(W - 1, 0); }
-  AP_INLINE ap_range_ref<W, S> operator()(int hi, int lo) { return range(hi, lo); }
-  AP_INLINE const ap_range_ref<W, S> range(int hi, int lo) const {
-    return ap_range_ref<W, S>(const_cast<Bits&>(*this), hi, lo);
+  /// Bits hi to lo, both included, hi >= lo. The length is taken from the indices as they come: there a + 7 -
+  /// a is 7 for every compiler, which it no longer is once both have been cut to int.
+  template <class H, class L>
+  AP_INLINE ap_range_ref<W, S> range(const H& hi, const L& lo) {
+    return ap_range_ref<W, S>(*this, static_cast<int>(lo), static_cast<int>(hi - lo) + 1);
   }
+  template <class H, class L>
+  AP_INLINE const ap_range_ref<W, S> range(const H& hi, const L& lo) const {
+    return const_cast<Bits&>(*this).range(hi, lo);
+  }
+  template <class H, class L>
+  AP_INLINE ap_range_ref<W, S> operator()(const H& hi, const L& lo) {
+    return range(hi, lo);
+  }
+  template <class H, class L>
+  AP_INLINE const ap_range_ref<W, S> operator()(const H& hi, const L& lo) const {
+    return range(hi, lo);
+  }
+  AP_INLINE ap_range_ref<W, S> range() { return range(W - 1, 0); }
   AP_INLINE const ap_range_ref<W, S> range() const { return range(W - 1, 0); }
-  AP_INLINE const ap_range_ref<W, S> operator()(int hi, int lo) const { return range(hi, lo); }
 
   AP_EXPRESSION bool and_reduce() const { return V == ones<W>(W); }
   AP_EXPRESSION bool nand_reduce() const { return !and_reduce(); }

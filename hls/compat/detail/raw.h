@@ -41,8 +41,14 @@ template <int W, int I, bool S, ap_q_mode Q, ap_o_mode O, int N>
 struct ap_fixed_base;
 
 /// Every function of the types is an expression that folds; the debugger steps over it, and code that comes
-/// from it carries the user's line.
-#define AP_INLINE __attribute__((always_inline, nodebug)) inline
+/// from it carries the user's line. The System V convention would take words of 65 to 128 bits apart at every
+/// call, which LLVM does not join again after inlining; the Microsoft convention passes them whole.
+#ifdef __x86_64__
+#define AP_WHOLE_WORDS __attribute__((ms_abi))
+#else
+#define AP_WHOLE_WORDS
+#endif
+#define AP_INLINE AP_WHOLE_WORDS __attribute__((always_inline, nodebug)) inline
 #define AP_EXPRESSION AP_INLINE constexpr
 
 namespace ap_detail {

@@ -73,11 +73,13 @@ struct ap_bit_ref : ap_detail::Reference<ap_bit_ref<W, S>, 1> {
   int index_;
 };
 
-/// The slice hi..lo, both included.
+/// A slice of `length` bits from bit lo up.
 template <int W, bool S>
 struct ap_range_ref : ap_detail::Reference<ap_range_ref<W, S>, W> {
-  AP_INLINE ap_range_ref(ap_detail::Bits<W, S>& word, int hi, int lo)
-      : word_(word), hi_(ap_detail::checked("range", hi, W)), lo_(ap_detail::checked("range", lo, hi + 1)) {}
+  AP_INLINE ap_range_ref(ap_detail::Bits<W, S>& word, int lo, int length)
+      : word_(word),
+        lo_(ap_detail::checked("range", lo, W)),
+        length_(ap_detail::checked("range length", length - 1, W - lo) + 1) {}
   ap_range_ref(const ap_range_ref&) = default;
   AP_INLINE ap_range_ref& operator=(const ap_range_ref& x) { return this->assign(x); }
   template <class T>
@@ -90,11 +92,11 @@ struct ap_range_ref : ap_detail::Reference<ap_range_ref<W, S>, W> {
     const ap_detail::Unsigned<W> mask = ap_detail::ones<W>(length());
     word_.V = (word_.V & ~(mask << lo_)) | (bits & mask) << lo_;
   }
-  AP_INLINE int length() const { return hi_ - lo_ + 1; }
+  AP_INLINE int length() const { return length_; }
 
  private:
   ap_detail::Bits<W, S>& word_;
-  int hi_, lo_;
+  int lo_, length_;
 };
 
 namespace ap_detail {
