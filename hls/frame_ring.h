@@ -1,0 +1,198 @@
+/// Frame store and ground homography: pairs each pixel of the current frame I_n+1 with its counterpart in the
+/// reference frame I_n (ICVS paper, eq. 8), while the current frame may replace the reference.
+///
+/// Store. A ring of MAX_HEIGHT + MARGIN rows instead of two frames. A replacing frame starts right below the
+/// reference, so that its row v overwrites row v - (ring rows - height) of it; rows further down are alive.
+/// Four banks by parity of row and column: the 2x2 cell around a mapped point lies in four banks and is read
+/// in one step. Row y of a frame lies in ring row (base + y) mod ring rows.
+///
+/// Map. X, Y (Q14.18) and Z (Q4.28) are linear in u and v and are accumulated. x = X / Z and y = Y / Z come
+/// from one reciprocal (reciprocal.h) and one multiplication each, within 0.05 px for images up to 2048
+/// columns; they are kept in half pixels, which is all that floor(x) and floor(x + 0.5) need.
+///
+/// Pair: nearest, the pixel at floor(x + 0.5), floor(y + 0.5); low and high, the least and greatest pixel of
+/// the cell at floor(x), floor(y), cut to the image. valid when 2^-4 < Z < 8, the nearest pixel is in the
+/// image, and both rows of the cell are alive. Not valid: nearest, low, high are 0 and the pixel counts as
+/// null pixel. The first frame and frames of a size other than the reference's have no valid pixel; such a
+/// frame drops the reference even when it does not replace it.
+///
+/// II = 1; a frame takes width * height + depth cycles, depth ~20. Two DSPs beside the reciprocal's one.
+#ifndef FLOORLINE_HLS_FRAME_RING_H
+#define FLOORLINE_HLS_FRAME_RING_H
+
+#include "hls_stream.h"
+#include "parameters.h"
+#include "raster.h"
+#include "reciprocal.h"
+#include "table.h"
+
+namespace floorline {
+
+/// The two pixels nearest to a coordinate on one axis of an image: the cell along that axis.
+struct AxisCell {
+  Size nearest;
+  Size other;   ///< The second nearest, or `nearest` where that would be outside the image.
+  Size first;   ///< The lesser of both.
+  bool inside;  ///< `nearest` is inside the image; if not, the rest is meaningless.
+  bool single;  ///< other == nearest.
+};
+
+/// half_pixels: floor(2 x), from the 25-bit quotient.
+inline AxisCell axis_cell(ap_int<20> half_pixels, Size extent) {
+#pragma HLS INLINE
+  const ap_int<21> shifted = half_pixels + 1;  // nearest = floor(x + 0.5) = floor((2 x + 1) / 2)
+  const ap_int<20> nearest = shifted >> 1;
+  const bool cell_goes_up = shifted[0];  // x lies above the centre of its nearest pixel
+  const Size last = extent - 1;
+  AxisCell cell;
+  cell.inside = nearest >= 0 && nearest <= last;
+  cell.nearest = nearest;
+  cell.single = cell_goes_up ? cell.nearest == last : cell.nearest == 0;
+  cell.other = cell.nearest;
+  if (!cell.single) cell.other = cell_goes_up ? Size(cell.nearest + 1) : Size(cell.nearest - 1);
+  cell.first = cell_goes_up ? cell.nearest : cell.other;
+  return cell;
+}
+
+/// Where the two pixels of an axis cell lie in the even and in the odd bank. With a single pixel the other
+/// bank is read at the same index and not used.
+struct BankIndex {
+  Size even;
+  Size odd;
+};
+
+inline BankIndex bank_index(Size nearest, Size other) {
+#pragma HLS INLINE
+  BankIndex index;
+  index.even = (nearest[0] ? other : nearest) >> 1;
+  index.odd = (nearest[0] ? nearest : other) >> 1;
+  return index;
+}
+
+template <int RING_ROWS>
+inline Size ring_row(Size base, Size row) {
+#pragma HLS INLINE
+  const ap_uint<13> sum = base + row;
+  return sum >= RING_ROWS ? Size(sum - RING_ROWS) : Size(sum);
+}
+
+/// nearest, low and high from what the banks [row parity][column parity] hold. A bank that holds no pixel of
+/// the cell counts as the nearest one.
+inline void select(const Pixel held[2][2], ap_uint<1> row_parity, bool single_row, ap_uint<1> column_parity,
+                   bool single_column, PixelPair& pair) {
+#pragma HLS INLINE
+  pair.nearest = held[row_parity][column_parity];
+  pair.low = pair.nearest;
+  pair.high = pair.nearest;
+ROW_PARITY:
+  for (int r = 0; r < 2; ++r) {
+#pragma HLS UNROLL
+  COLUMN_PARITY:
+    for (int c = 0; c < 2; ++c) {
+#pragma HLS UNROLL
+      const bool in_cell = !(single_row && row_parity != r) && !(single_column && column_parity != c);
+      if (in_cell && held[r][c] < pair.low) pair.low = held[r][c];
+      if (in_cell && held[r][c] > pair.high) pair.high = held[r][c];
+    }
+  }
+}
+
+/// in: width * height pixels. out: as many pairs. null_pixels: one count a frame, after its last pixel.
+template <int MAX_WIDTH, int MAX_HEIGHT, int MARGIN>
+void frame_ring(hls::stream<Pixel>& in, hls::stream<PixelPair>& out, hls::stream<ap_uint<24> >& null_pixels,
+                Size width, Size height, ap_uint<1> replace_reference, const ProjectiveMap& homography) {
+  static_assert(
+      MAX_WIDTH % 2 == 0 && MAX_HEIGHT % 2 == 0 && MARGIN % 2 == 0,
+      "MAX_WIDTH, MAX_HEIGHT and MARGIN must be even: the ring's banks hold every second row and column.");
+  const int RING_ROWS = MAX_HEIGHT + MARGIN;
+  const int PITCH = MAX_WIDTH / 2;
+  const int BANK_SIZE = RING_ROWS / 2 * PITCH;
+  typedef ap_uint<BitWidth<BANK_SIZE - 1>::value> Address;
+  static_assert(BitWidth<RING_ROWS>::value <= Size::width, "MAX_HEIGHT + MARGIN must fit the type Size.");
+
+  // Bank of even or odd ring rows, even or odd columns.
+  static Pixel even_even[BANK_SIZE];
+  static Pixel even_odd[BANK_SIZE];
+  static Pixel odd_even[BANK_SIZE];
+  static Pixel odd_odd[BANK_SIZE];
+#pragma HLS RESOURCE variable = even_even core = RAM_S2P_BRAM
+#pragma HLS RESOURCE variable = even_odd core = RAM_S2P_BRAM
+#pragma HLS RESOURCE variable = odd_even core = RAM_S2P_BRAM
+#pragma HLS RESOURCE variable = odd_odd core = RAM_S2P_BRAM
+  static Size base = 0;  // ring row of the reference's row 0
+  static Size reference_width = 0;
+  static Size reference_height = 0;
+  static ap_uint<1> has_reference = 0;
+
+  if (width != reference_width || height != reference_height) has_reference = 0;
+  reference_width = width;
+  reference_height = height;
+  const Size next_base = base + height >= RING_ROWS ? Size(base + height - RING_ROWS) : Size(base + height);
+  const Size spare_rows = RING_ROWS - height;
+
+  // Half a unit of what the 25-bit numerators drop is added, so that they round.
+  LinearWalk x_walk(homography.x1 + 64, homography.xu, homography.xv);
+  LinearWalk y_walk(homography.y1 + 64, homography.yu, homography.yv);
+  LinearWalk z_walk(homography.z1 - 1, homography.zu, homography.zv);
+  Size write_row = next_base;
+  ap_uint<24> null_count = 0;
+
+PIXELS:
+  for (RasterPosition at(width); at.v < height; at.advance()) {
+#pragma HLS PIPELINE II = 1
+#pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT
+// True: the row being written is no longer alive, and rows that are not alive are not read.
+#pragma HLS DEPENDENCE variable = even_even inter RAW false
+#pragma HLS DEPENDENCE variable = even_odd inter RAW false
+#pragma HLS DEPENDENCE variable = odd_even inter RAW false
+#pragma HLS DEPENDENCE variable = odd_odd inter RAW false
+    PixelPair pair;
+    pair.current = in.read();
+
+    const Reciprocal denominator = reciprocal(z_walk.value);
+    const AxisCell column = axis_cell(quotient<23>(x_walk.value >> 7, denominator), width);
+    const AxisCell row = axis_cell(quotient<23>(y_walk.value >> 7, denominator), height);
+    const bool alive = !replace_reference || row.first + spare_rows > at.v;
+    pair.valid = has_reference && denominator.valid && column.inside && row.inside && alive;
+
+    // Ring rows of the cell, and what its four banks hold of it.
+    const Size nearest_row = ring_row<RING_ROWS>(base, row.nearest);
+    const Size other_row = ring_row<RING_ROWS>(base, row.other);
+    Pixel held[2][2] = {{0, 0}, {0, 0}};
+    if (pair.valid) {
+      const BankIndex rows = bank_index(nearest_row, other_row);
+      const BankIndex columns = bank_index(column.nearest, column.other);
+      held[0][0] = even_even[Address(rows.even * PITCH + columns.even)];
+      held[0][1] = even_odd[Address(rows.even * PITCH + columns.odd)];
+      held[1][0] = odd_even[Address(rows.odd * PITCH + columns.even)];
+      held[1][1] = odd_odd[Address(rows.odd * PITCH + columns.odd)];
+    } else {
+      null_count = null_count + 1;
+    }
+    select(held, nearest_row[0], row.single, column.nearest[0], column.single, pair);
+    out.write(pair);
+
+    if (replace_reference) {
+      const Address address = (write_row >> 1) * PITCH + (at.u >> 1);
+      if (!write_row[0] && !at.u[0]) even_even[address] = pair.current;
+      if (!write_row[0] && at.u[0]) even_odd[address] = pair.current;
+      if (write_row[0] && !at.u[0]) odd_even[address] = pair.current;
+      if (write_row[0] && at.u[0]) odd_odd[address] = pair.current;
+    }
+    const bool row_end = at.at_row_end();
+    x_walk.advance(row_end);
+    y_walk.advance(row_end);
+    z_walk.advance(row_end);
+    if (row_end) write_row = write_row == RING_ROWS - 1 ? Size(0) : Size(write_row + 1);
+  }
+
+  if (replace_reference) {
+    base = next_base;
+    has_reference = 1;
+  }
+  null_pixels.write(null_count);
+}
+
+}  // namespace floorline
+
+#endif

@@ -1,0 +1,49 @@
+/// Walk over a frame in raster order, shared by the kernels that handle one pixel a step.
+#ifndef FLOORLINE_HLS_RASTER_H
+#define FLOORLINE_HLS_RASTER_H
+
+#include "types.h"
+
+namespace floorline {
+
+/// Column u and row v of a raster scan over rows of `width` pixels: one counter each instead of a product
+/// width * height, and one flat loop, so that a pipeline runs across the ends of rows.
+struct RasterPosition {
+  Size u;
+  Size v;
+  Size last_column;
+
+  explicit RasterPosition(Size width) : u(0), v(0), last_column(width - 1) {}
+
+  bool at_row_end() const { return u == last_column; }
+
+  void advance() {
+    if (at_row_end()) {
+      u = 0;
+      v = v + 1;
+    } else {
+      u = u + 1;
+    }
+  }
+};
+
+/// A function linear in u and v, walked in raster order with one addition a step.
+struct LinearWalk {
+  ap_int<32> value;
+  ap_int<32> row_start;
+  ap_int<32> step;      ///< Change a column.
+  ap_int<32> row_step;  ///< Change a row.
+
+  LinearWalk(ap_int<32> start, ap_int<32> per_column, ap_int<32> per_row)
+      : value(start), row_start(start), step(per_column), row_step(per_row) {}
+
+  void advance(bool row_end) {
+#pragma HLS INLINE
+    value = (row_end ? row_start : value) + (row_end ? row_step : step);
+    if (row_end) row_start = value;
+  }
+};
+
+}  // namespace floorline
+
+#endif
