@@ -19,13 +19,6 @@ std::string_view trim(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-/// A finite number, or NaN when the text is none.
-double number_of(std::string_view text) {
-  double value = NAN;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return fault == std::errc{} && end == text.data() + text.size() && std::isfinite(value) ? value : NAN;
-}
-
 }  // namespace
 
 std::string read_text(const std::filesystem::path& file) {
@@ -50,6 +43,13 @@ std::vector<std::string_view> split(std::string_view line, char separator) {
   return fields;
 }
 
+std::optional<double> finite_number(std::string_view text) {
+  double value = 0;
+  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool whole = fault == std::errc{} && end == text.data() + text.size();
+  return whole && std::isfinite(value) ? std::optional(value) : std::nullopt;
+}
+
 std::vector<NumberRow> read_numbers(const std::filesystem::path& file, char separator, std::size_t columns,
                                     std::string_view header) {
   const std::string text = read_text(file);
@@ -66,9 +66,9 @@ std::vector<NumberRow> read_numbers(const std::filesystem::path& file, char sepa
     if (line.empty() || line.front() == '#') continue;
     NumberRow row{line_number, {}};
     for (std::string_view field : split(line, separator)) {
-      row.values.push_back(number_of(field));
-      if (std::isnan(row.values.back()))
-        refuse_line(file, line_number, fmt::format("'{}' is no finite number", field));
+      const std::optional<double> number = finite_number(field);
+      if (!number) refuse_line(file, line_number, fmt::format("'{}' is no finite number", field));
+      row.values.push_back(*number);
     }
     if (row.values.size() != columns) {
       refuse_line(file, line_number,

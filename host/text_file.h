@@ -3,6 +3,7 @@
 #define FLOORLINE_HOST_TEXT_FILE_H
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,9 @@ std::string read_text(const std::filesystem::path& file);
 
 /// Fields of a line, cut at `separator`; a space also stands for several of them and for tabs.
 std::vector<std::string_view> split(std::string_view line, char separator);
+
+/// The finite number that `text` is, if it is one and nothing more.
+std::optional<double> finite_number(std::string_view text);
 
 /// A row of a table of numbers with its place in the file, for messages.
 struct NumberRow {
