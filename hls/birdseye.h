@@ -42,7 +42,8 @@ ROWS:
     if (row == DENOMINATOR) contact = contacts.read();
     const ap_int<32> per_u = row == DENOMINATOR ? map.zu : row == FORWARD ? map.xu : map.yu;
     const ap_int<32> per_v = row == DENOMINATOR ? map.zv : row == FORWARD ? map.xv : map.yv;
-    const ap_int<32> start = row == DENOMINATOR ? map.z1 : row == FORWARD ? map.x1 : map.y1;
+    // reciprocal() takes Z less one LSB.
+    const ap_int<32> start = row == DENOMINATOR ? ap_int<32>(map.z1 - 1) : row == FORWARD ? map.x1 : map.y1;
     const ap_int<47> sum = per_u * contact.u + per_v * contact.v + start;
 
     // Q14.18 rounded to the 25 bits of a multiplier, Q11.14; the quotient then has 14 + 13 - 11 fraction
