@@ -61,6 +61,15 @@ std::vector<FloorRay> floor_rays(const golden::Parameters& parameters,
   return rays;
 }
 
+GridSettings grid_settings(double camera_height_m) {
+  const double scale = camera_height_m / 0.6;
+  GridSettings settings;
+  settings.resolution_m *= scale;
+  settings.range_m *= scale;
+  settings.radius_m *= scale;
+  return settings;
+}
+
 Grid::Grid(const GridSettings& settings) : settings_(settings) {}
 
 void Grid::add(const PlanarPose& robot, const std::vector<FloorRay>& rays,

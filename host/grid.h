@@ -45,6 +45,9 @@ struct GridSettings {
   double radius_share = 0.08;   ///< ...than this share of the distance, are the same obstacle.
 };
 
+/// The distances above, which suit a camera at 0.6 m, in proportion to the height of another camera.
+GridSettings grid_settings(double camera_height_m);
+
 /// An obstacle that several frames reported at one place.
 struct ConfirmedObstacle {
   int id;                 ///< Stays with the obstacle.
