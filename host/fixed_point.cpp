@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <cmath>
+#include <limits>
 #include <string>
 
 #include "host/error.h"
@@ -14,19 +15,26 @@ constexpr int kNumeratorBits = 18;    // X and Y: Q14.18
 constexpr int kDenominatorBits = 28;  // Z: Q4.28
 constexpr double kLeastSingularRatio = 1e-12;
 
+/// Whether the accelerator divides by this Z (hls/reciprocal.h).
+bool resolved(double z) { return z > 1.0 / 16.0 && z < 8.0; }
+
+Eigen::Vector3d centre_of(cv::Rect roi) {
+  return {roi.x + (roi.width - 1) / 2.0, roi.y + (roi.height - 1) / 2.0, 1.0};
+}
+
 /// Checks that a matrix can be inverted, and scales it so that Z = 1 at the centre of the ROI.
 Eigen::Matrix3d scaled(const Eigen::Matrix3d& m, cv::Rect roi, const std::string& name) {
-  if (!m.allFinite())
+  if (!m.allFinite()) {
     throw Error("The " + name + " holds a value that is no number: check calibration, mount and odometry.");
+  }
   const Eigen::FullPivLU<Eigen::Matrix3d> lu(m);
   const Eigen::Vector3d pivots = lu.matrixLU().diagonal().cwiseAbs();
   if (pivots.minCoeff() <= kLeastSingularRatio * pivots.maxCoeff()) {
     throw Error("The " + name +
                 " is singular: check that the camera is above the floor and not level with it.");
   }
-  const Eigen::Vector3d centre(roi.x + (roi.width - 1) / 2.0, roi.y + (roi.height - 1) / 2.0, 1.0);
-  const double z = m.row(2).dot(centre);
-  if (std::abs(z) <= kLeastSingularRatio * m.row(2).cwiseAbs().dot(centre)) {
+  const double z = m.row(2).dot(centre_of(roi));
+  if (std::abs(z) <= kLeastSingularRatio * m.row(2).cwiseAbs().dot(centre_of(roi))) {
     throw Error("The horizon of the " + name +
                 " runs through the centre of the ROI: move the ROI below the horizon.");
   }
@@ -34,19 +42,32 @@ Eigen::Matrix3d scaled(const Eigen::Matrix3d& m, cv::Rect roi, const std::string
 }
 
 ap_int<32> quantise(double value, int fraction_bits, const std::string& name) {
-  const double scaled_value = std::nearbyint(std::ldexp(value, fraction_bits));
-  if (std::abs(scaled_value) > 2147483647.0) {
+  const double units = std::nearbyint(std::ldexp(value, fraction_bits));
+  if (std::abs(units) > std::numeric_limits<int>::max()) {
     throw Error("The " + name + " does not fit its registers: move the ROI farther below the horizon.");
   }
-  return static_cast<long long>(scaled_value);
+  return static_cast<int>(units);
 }
 
-ProjectiveMap quantised(const Eigen::Matrix3d& m, const std::string& name) {
-  const auto numerator = [&](double value) { return quantise(value, kNumeratorBits, name); };
-  const auto denominator = [&](double value) { return quantise(value, kDenominatorBits, name); };
-  return {numerator(m(0, 0)),   numerator(m(0, 1)),   numerator(m(0, 2)),
-          numerator(m(1, 0)),   numerator(m(1, 1)),   numerator(m(1, 2)),
-          denominator(m(2, 0)), denominator(m(2, 1)), denominator(m(2, 2))};
+double value_of(ap_int<32> packed, int fraction_bits) { return std::ldexp(packed.to_int(), -fraction_bits); }
+
+/// Packs one row of a map. The constant makes up at the centre of the ROI for what rounding did to the
+/// slopes.
+void quantise_row(const Eigen::RowVector3d& row, const Eigen::Vector3d& centre, int fraction_bits,
+                  const std::string& name, ap_int<32>& u, ap_int<32>& v, ap_int<32>& constant) {
+  u = quantise(row[0], fraction_bits, name);
+  v = quantise(row[1], fraction_bits, name);
+  const double slopes = value_of(u, fraction_bits) * centre[0] + value_of(v, fraction_bits) * centre[1];
+  constant = quantise(row.dot(centre) - slopes, fraction_bits, name);
+}
+
+ProjectiveMap quantised(const Eigen::Matrix3d& m, cv::Rect roi, const std::string& name) {
+  const Eigen::Vector3d centre = centre_of(roi);
+  ProjectiveMap map;
+  quantise_row(m.row(0), centre, kNumeratorBits, name, map.xu, map.xv, map.x1);
+  quantise_row(m.row(1), centre, kNumeratorBits, name, map.yu, map.yv, map.y1);
+  quantise_row(m.row(2), centre, kDenominatorBits, name, map.zu, map.zv, map.z1);
+  return map;
 }
 
 /// Greatest distance between two maps over the pixels of the ROI that `counts(Z, mapped point)` accepts.
@@ -79,10 +100,10 @@ PackedMap accept(const ProjectiveMap& map, double error, double bound, const std
 PackedMap pack_homography(const Eigen::Matrix3d& reference_from_current, cv::Size image, cv::Rect roi) {
   const std::string name = "ground homography";
   const Eigen::Matrix3d exact = scaled(reference_from_current, roi, name);
-  const ProjectiveMap map = quantised(exact, name);
+  const ProjectiveMap map = quantised(exact, roi, name);
   const double error =
       greatest_distance(exact, unpack(map), roi, [&](double z, const Eigen::Vector2d& point) {
-        return z > 0.0625 && z < 8.0 && point.x() > -1.0 && point.x() < image.width && point.y() > -1.0 &&
+        return resolved(z) && point.x() > -1.0 && point.x() < image.width && point.y() > -1.0 &&
                point.y() < image.height;
       });
   return accept(map, error, kHomographyErrorBound, name, "pixels");
@@ -91,16 +112,16 @@ PackedMap pack_homography(const Eigen::Matrix3d& reference_from_current, cv::Siz
 PackedMap pack_birdseye(const Eigen::Matrix3d& floor_from_pixel, cv::Rect roi) {
   const std::string name = "bird's-eye matrix";
   const Eigen::Matrix3d exact = scaled(floor_from_pixel, roi, name);
-  const ProjectiveMap map = quantised(exact, name);
+  const ProjectiveMap map = quantised(exact, roi, name);
   const double error = greatest_distance(exact, unpack(map), roi, [](double z, const Eigen::Vector2d& point) {
-    return z > 0.0 && point.norm() <= kBirdseyeRange;
+    return resolved(z) && point.norm() <= kBirdseyeRange;
   });
   return accept(map, error, kBirdseyeErrorBound, name, "metres");
 }
 
 Eigen::Matrix3d unpack(const ProjectiveMap& map) {
-  const auto numerator = [](ap_int<32> value) { return std::ldexp(value.to_double(), -kNumeratorBits); };
-  const auto denominator = [](ap_int<32> value) { return std::ldexp(value.to_double(), -kDenominatorBits); };
+  const auto numerator = [](ap_int<32> value) { return value_of(value, kNumeratorBits); };
+  const auto denominator = [](ap_int<32> value) { return value_of(value, kDenominatorBits); };
   Eigen::Matrix3d m;
   m << numerator(map.xu), numerator(map.xv), numerator(map.x1),  //
       numerator(map.yu), numerator(map.yv), numerator(map.y1),   //

@@ -28,7 +28,7 @@ struct PackedMap {
 PackedMap pack_homography(const Eigen::Matrix3d& reference_from_current, cv::Size image, cv::Rect roi);
 
 /// Bird's eye, pixel -> floor metres in the robot frame; scale and errors as above, over the pixels of the
-/// ROI in front of the camera whose floor point lies within kBirdseyeRange.
+/// ROI with an accepted Z whose floor point lies within kBirdseyeRange.
 PackedMap pack_birdseye(const Eigen::Matrix3d& floor_from_pixel, cv::Rect roi);
 
 /// The matrix that a packed map stands for, Z = 1 at the centre of the ROI it was packed with.
