@@ -20,6 +20,7 @@
 #ifndef FLOORLINE_HLS_FRAME_RING_H
 #define FLOORLINE_HLS_FRAME_RING_H
 
+#include "banks.h"
 #include "hls_stream.h"
 #include "parameters.h"
 #include "raster.h"
@@ -54,45 +55,23 @@ inline AxisCell axis_cell(ap_int<20> half_pixels, Size extent) {
   return cell;
 }
 
-/// Where the two pixels of an axis cell lie in the even and in the odd bank. With a single pixel the other
-/// bank is read at the same index and not used.
-struct BankIndex {
-  Size even;
-  Size odd;
-};
-
-inline BankIndex bank_index(Size nearest, Size other) {
+/// nearest, low and high of what the banks hold. A bank that holds no pixel of the cell counts as the nearest
+/// one.
+inline void take_cell(const BankCell& cell, const BankAxis& rows, const BankAxis& columns,
+                      ap_uint<1> nearest_row, ap_uint<1> nearest_column, PixelPair& pair) {
 #pragma HLS INLINE
-  BankIndex index;
-  index.even = (nearest[0] ? other : nearest) >> 1;
-  index.odd = (nearest[0] ? nearest : other) >> 1;
-  return index;
-}
-
-template <int RING_ROWS>
-inline Size ring_row(Size base, Size row) {
-#pragma HLS INLINE
-  const ap_uint<13> sum = base + row;
-  return sum >= RING_ROWS ? Size(sum - RING_ROWS) : Size(sum);
-}
-
-/// nearest, low and high from what the banks [row parity][column parity] hold. A bank that holds no pixel of
-/// the cell counts as the nearest one.
-inline void select(const Pixel held[2][2], ap_uint<1> row_parity, bool single_row, ap_uint<1> column_parity,
-                   bool single_column, PixelPair& pair) {
-#pragma HLS INLINE
-  pair.nearest = held[row_parity][column_parity];
+  pair.nearest = cell.pixel[nearest_row][nearest_column];
   pair.low = pair.nearest;
   pair.high = pair.nearest;
-ROW_PARITY:
+CELL_ROWS:
   for (int r = 0; r < 2; ++r) {
 #pragma HLS UNROLL
-  COLUMN_PARITY:
+  CELL_COLUMNS:
     for (int c = 0; c < 2; ++c) {
 #pragma HLS UNROLL
-      const bool in_cell = !(single_row && row_parity != r) && !(single_column && column_parity != c);
-      if (in_cell && held[r][c] < pair.low) pair.low = held[r][c];
-      if (in_cell && held[r][c] > pair.high) pair.high = held[r][c];
+      const Pixel pixel = rows.used[r] && columns.used[c] ? cell.pixel[r][c] : pair.nearest;
+      if (pixel < pair.low) pair.low = pixel;
+      if (pixel > pair.high) pair.high = pixel;
     }
   }
 }
@@ -106,19 +85,11 @@ void frame_ring(hls::stream<Pixel>& in, hls::stream<PixelPair>& out, hls::stream
       "MAX_WIDTH, MAX_HEIGHT and MARGIN must be even: the ring's banks hold every second row and column.");
   const int RING_ROWS = MAX_HEIGHT + MARGIN;
   const int PITCH = MAX_WIDTH / 2;
-  const int BANK_SIZE = RING_ROWS / 2 * PITCH;
-  typedef ap_uint<BitWidth<BANK_SIZE - 1>::value> Address;
   static_assert(BitWidth<RING_ROWS>::value <= Size::width, "MAX_HEIGHT + MARGIN must fit the type Size.");
-
-  // Bank of even or odd ring rows, even or odd columns.
-  static Pixel even_even[BANK_SIZE];
-  static Pixel even_odd[BANK_SIZE];
-  static Pixel odd_even[BANK_SIZE];
-  static Pixel odd_odd[BANK_SIZE];
-#pragma HLS RESOURCE variable = even_even core = RAM_S2P_BRAM
-#pragma HLS RESOURCE variable = even_odd core = RAM_S2P_BRAM
-#pragma HLS RESOURCE variable = odd_even core = RAM_S2P_BRAM
-#pragma HLS RESOURCE variable = odd_odd core = RAM_S2P_BRAM
+  static Pixel ring[2][2][RING_ROWS / 2 * PITCH];
+#pragma HLS ARRAY_PARTITION variable = ring complete dim = 1
+#pragma HLS ARRAY_PARTITION variable = ring complete dim = 2
+#pragma HLS RESOURCE variable = ring core = RAM_S2P_BRAM
   static Size base = 0;  // ring row of the reference's row 0
   static Size reference_width = 0;
   static Size reference_height = 0;
@@ -127,7 +98,7 @@ void frame_ring(hls::stream<Pixel>& in, hls::stream<PixelPair>& out, hls::stream
   if (width != reference_width || height != reference_height) has_reference = 0;
   reference_width = width;
   reference_height = height;
-  const Size next_base = base + height >= RING_ROWS ? Size(base + height - RING_ROWS) : Size(base + height);
+  const Size next_base = wrapped<RING_ROWS>(base + height);
   const Size spare_rows = RING_ROWS - height;
 
   // Half a unit of what the 25-bit numerators drop is added, so that they round.
@@ -141,11 +112,8 @@ PIXELS:
   for (RasterPosition at(width); at.v < height; at.advance()) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT
-// True: the row being written is no longer alive, and rows that are not alive are not read.
-#pragma HLS DEPENDENCE variable = even_even inter RAW false
-#pragma HLS DEPENDENCE variable = even_odd inter RAW false
-#pragma HLS DEPENDENCE variable = odd_even inter RAW false
-#pragma HLS DEPENDENCE variable = odd_odd inter RAW false
+// True: a row that is being overwritten is not alive, and rows that are not alive are not read.
+#pragma HLS DEPENDENCE variable = ring inter RAW false
     PixelPair pair;
     pair.current = in.read();
 
@@ -155,35 +123,20 @@ PIXELS:
     const bool alive = !replace_reference || row.first + spare_rows > at.v;
     pair.valid = has_reference && denominator.valid && column.inside && row.inside && alive;
 
-    // Ring rows of the cell, and what its four banks hold of it.
-    const Size nearest_row = ring_row<RING_ROWS>(base, row.nearest);
-    const Size other_row = ring_row<RING_ROWS>(base, row.other);
-    Pixel held[2][2] = {{0, 0}, {0, 0}};
-    if (pair.valid) {
-      const BankIndex rows = bank_index(nearest_row, other_row);
-      const BankIndex columns = bank_index(column.nearest, column.other);
-      held[0][0] = even_even[Address(rows.even * PITCH + columns.even)];
-      held[0][1] = even_odd[Address(rows.even * PITCH + columns.odd)];
-      held[1][0] = odd_even[Address(rows.odd * PITCH + columns.even)];
-      held[1][1] = odd_odd[Address(rows.odd * PITCH + columns.odd)];
-    } else {
-      null_count = null_count + 1;
-    }
-    select(held, nearest_row[0], row.single, column.nearest[0], column.single, pair);
+    const Size nearest_row = wrapped<RING_ROWS>(base + row.nearest);
+    const Size other_row = wrapped<RING_ROWS>(base + row.other);
+    const BankAxis rows = bank_axis(nearest_row, pair.valid, other_row, pair.valid && !row.single);
+    const BankAxis columns = bank_axis(column.nearest, true, column.other, !column.single);
+    take_cell(load<PITCH>(ring, rows, columns), rows, columns, nearest_row[0], column.nearest[0], pair);
     out.write(pair);
+    if (!pair.valid) null_count = null_count + 1;
 
-    if (replace_reference) {
-      const Address address = (write_row >> 1) * PITCH + (at.u >> 1);
-      if (!write_row[0] && !at.u[0]) even_even[address] = pair.current;
-      if (!write_row[0] && at.u[0]) even_odd[address] = pair.current;
-      if (write_row[0] && !at.u[0]) odd_even[address] = pair.current;
-      if (write_row[0] && at.u[0]) odd_odd[address] = pair.current;
-    }
+    if (replace_reference) store<PITCH>(ring, write_row, at.u, pair.current);
     const bool row_end = at.at_row_end();
     x_walk.advance(row_end);
     y_walk.advance(row_end);
     z_walk.advance(row_end);
-    if (row_end) write_row = write_row == RING_ROWS - 1 ? Size(0) : Size(write_row + 1);
+    if (row_end) write_row = wrapped<RING_ROWS>(write_row + 1);
   }
 
   if (replace_reference) {

@@ -14,6 +14,18 @@ struct ProjectiveMap {
   ap_int<32> zu, zv, z1;
 };
 
+/// The lens as lens.h takes it apart (model of OpenCV: radial k1 k2 k3, tangential p1 p2). Let fx, fy, cx, cy be the
+/// camera matrix, x = (u - cx) / fx, y = (v - cy) / fy and s the greatest sqrt(x^2 + y^2) of the image. Lengths are
+/// given in units of s, so that every lens uses the whole range of the formats.
+struct LensParameters {
+  ap_int<32> x_first, x_step;              ///< x / s in column 0 and from column to column, Q2.30.
+  ap_int<32> y_first, y_step;              ///< y / s in row 0 and from row to row, Q2.30.
+  ap_int<32> skew_first, skew_u, skew_v;   ///< 2 (p1 y + p2 x) at (0, 0), a column, a row, Q2.30.
+  ap_int<25> radial1, radial2, radial3;    ///< k1 s^2, k2 s^4, k3 s^6, Q4.21.
+  ap_int<18> centre_u, centre_v;           ///< cx, cy, Q12.6 pixels.
+  ap_int<25> shift_u, shift_v;             ///< p2 fx s^2, p1 fy s^2, Q9.16 pixels.
+};
+
 /// How pixels become masks.
 struct ThresholdParameters {
   Pixel floor;              ///< The high threshold is never below this.
