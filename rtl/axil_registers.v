@@ -42,13 +42,13 @@ module axil_registers (
     input  wire [1:0]   update_done,
     input  wire [6:0]   events,
     input  wire [31:0]  frames,
-    input  wire [31:0]  malformed_frames,
-    input  wire [31:0]  dropped_frames,
-    input  wire [31:0]  frame_cycles,
-    input  wire [31:0]  input_stalls,
-    input  wire [31:0]  output_stalls,
-    input  wire [31:0]  first_result_latency,
-    input  wire [31:0]  decision_latency,
+    input  wire [23:0]  malformed_frames,
+    input  wire [23:0]  dropped_frames,
+    input  wire [23:0]  frame_cycles,
+    input  wire [23:0]  input_stalls,
+    input  wire [23:0]  output_stalls,
+    input  wire [23:0]  first_result_latency,
+    input  wire [23:0]  decision_latency,
     input  wire [23:0]  null_pixels,
     output wire [11:0]  width,
     output wire [11:0]  height,
@@ -189,13 +189,13 @@ module axil_registers (
             6'd5: register_data_reg <= {25'd0, interrupt_enable_reg};
             6'd6: register_data_reg <= {25'd0, interrupt_status_reg};
             6'd7: register_data_reg <= frames;
-            6'd8: register_data_reg <= malformed_frames;
-            6'd9: register_data_reg <= dropped_frames;
-            6'd10: register_data_reg <= frame_cycles;
-            6'd11: register_data_reg <= input_stalls;
-            6'd12: register_data_reg <= output_stalls;
-            6'd13: register_data_reg <= first_result_latency;
-            6'd14: register_data_reg <= decision_latency;
+            6'd8: register_data_reg <= {8'd0, malformed_frames};
+            6'd9: register_data_reg <= {8'd0, dropped_frames};
+            6'd10: register_data_reg <= {8'd0, frame_cycles};
+            6'd11: register_data_reg <= {8'd0, input_stalls};
+            6'd12: register_data_reg <= {8'd0, output_stalls};
+            6'd13: register_data_reg <= {8'd0, first_result_latency};
+            6'd14: register_data_reg <= {8'd0, decision_latency};
             6'd15: register_data_reg <= {8'd0, null_pixels};
             default: register_data_reg <= 32'd0;
         endcase

@@ -1,0 +1,171 @@
+// Hardware counters of floorline_top: cycles of a frame, stalls, latencies, faults. docs/registers.md says what each means.
+//
+// Counters of a frame are copied to their registers when the next frame starts (FRAME_CYCLES and stalls) or when its last floor
+// point has left (latencies), so that a read always gives a whole frame. All wrap.
+
+`default_nettype none
+
+module frame_counters #(
+    parameter WIDTH      = 24,  // bits of a counter
+    parameter SIZE_WIDTH = 12   // bits of a row
+) (
+    input  wire                  clk,
+    input  wire                  rst,
+
+    // Input side.
+    input  wire                  frame_start,      // pulse: the core starts
+    input  wire                  frame_done,       // pulse: its last pixel was taken
+    input  wire                  frame_malformed,  // with frame_done
+    input  wire                  frame_dropped,    // pulse
+    input  wire                  pixel,            // the core takes a pixel
+    input  wire                  line_done,        // with pixel: the last one of a line
+    input  wire                  input_stalled,
+    input  wire                  output_stalled,
+
+    // Floor points, as they leave.
+    input  wire                  point,            // one leaves
+    input  wire                  point_end,        // with point: the end of the frame
+    input  wire [SIZE_WIDTH-1:0] point_row,        // its contact row
+    input  wire [SIZE_WIDTH-1:0] rows_to_decide,   // rows below a contact that decide it
+    input  wire [SIZE_WIDTH-1:0] height,           // lines of the frame
+
+    output reg  [31:0]           frames,
+    output reg  [WIDTH-1:0]      malformed_frames,
+    output reg  [WIDTH-1:0]      dropped_frames,
+    output reg  [WIDTH-1:0]      frame_cycles,
+    output reg  [WIDTH-1:0]      input_stalls,
+    output reg  [WIDTH-1:0]      output_stalls,
+    output reg  [WIDTH-1:0]      first_result_latency,
+    output reg  [WIDTH-1:0]      decision_latency
+);
+
+    // Faults and frames.
+    always @(posedge clk) begin
+        if (frame_start)
+            frames <= frames + 1'b1;
+        if (frame_done && frame_malformed)
+            malformed_frames <= malformed_frames + 1'b1;
+        if (frame_dropped)
+            dropped_frames <= dropped_frames + 1'b1;
+        if (rst) begin
+            frames           <= 32'd0;
+            malformed_frames <= {WIDTH{1'b0}};
+            dropped_frames   <= {WIDTH{1'b0}};
+        end
+    end
+
+    // Cycles and stalls from start to start.
+    reg [WIDTH-1:0] cycles_reg;
+    reg [WIDTH-1:0] input_stalls_reg;
+    reg [WIDTH-1:0] output_stalls_reg;
+
+    always @(posedge clk) begin
+        cycles_reg        <= frame_start ? {{WIDTH-1{1'b0}}, 1'b1} : cycles_reg + 1'b1;
+        input_stalls_reg  <= (frame_start ? {WIDTH{1'b0}} : input_stalls_reg) + {{WIDTH-1{1'b0}}, input_stalled};
+        output_stalls_reg <= (frame_start ? {WIDTH{1'b0}} : output_stalls_reg) + {{WIDTH-1{1'b0}}, output_stalled};
+        if (frame_start) begin
+            frame_cycles  <= cycles_reg;
+            input_stalls  <= input_stalls_reg;
+            output_stalls <= output_stalls_reg;
+        end
+    end
+
+    // Latencies. Up to four frames are between input and points; time_reg runs on, and what belongs to a frame waits in a queue.
+    reg  [WIDTH-1:0]    time_reg;
+    reg  [SIZE_WIDTH:0] lines_reg;      // lines taken, modulo 2^(SIZE_WIDTH + 1)
+    reg  [SIZE_WIDTH:0] base_reg;       // lines_reg at the start of the frame whose points leave
+    reg                 first_reg;      // the next pixel is the first of its frame
+    reg                 answered_reg;   // the frame whose points leave has had its first point
+    reg  [WIDTH-1:0]    decision_reg;   // greatest latency so far
+    wire [WIDTH-1:0]    first_time;     // when the first pixel of that frame was taken
+    wire [SIZE_WIDTH:0] next_base;
+
+    // frame_start waits for room in queues no deeper than these, so their handshakes need no look.
+    wire [3:0]          unused_handshakes;
+
+    fifo #(
+        .WIDTH(WIDTH),
+        .DEPTH(5)
+    ) first_times (
+        .clk    (clk),
+        .rst    (rst),
+        .s_data (time_reg),
+        .s_valid(pixel && first_reg),
+        .s_ready(unused_handshakes[0]),
+        .m_data (first_time),
+        .m_valid(unused_handshakes[1]),
+        .m_ready(point && point_end)
+    );
+
+    fifo #(
+        .WIDTH(SIZE_WIDTH + 1),
+        .DEPTH(5)
+    ) bases (
+        .clk    (clk),
+        .rst    (rst),
+        .s_data (lines_reg + 1'b1),
+        .s_valid(frame_done),
+        .s_ready(unused_handshakes[2]),
+        .m_data (next_base),
+        .m_valid(unused_handshakes[3]),
+        .m_ready(point && point_end)
+    );
+
+    // The row that decides, and how many lines ago it was complete: 1 is the last complete line.
+    wire [SIZE_WIDTH-1:0] last_row     = height - 1'b1;
+    wire [SIZE_WIDTH:0]   wanted_row   = {1'b0, point_row} + {1'b0, rows_to_decide};
+    wire [SIZE_WIDTH:0]   deciding_row = (wanted_row > {1'b0, last_row}) ? {1'b0, last_row} : wanted_row;
+    wire [SIZE_WIDTH:0]   deciding_line = base_reg + deciding_row;
+    wire [SIZE_WIDTH:0]   lines_ago    = lines_reg - deciding_line;
+    wire                  remembered   = (lines_ago != 0) && (lines_ago <= 16);
+
+    reg [WIDTH-1:0] line_times [0:15];  // when each of the last 16 lines was complete
+    reg [WIDTH-1:0] line_time_reg;
+    reg [WIDTH-1:0] point_time_reg;
+    reg             measure_reg;
+    reg             ended_reg;
+
+    wire [WIDTH-1:0] latency  = point_time_reg - line_time_reg;
+    wire [WIDTH-1:0] greatest = (measure_reg && latency > decision_reg) ? latency : decision_reg;
+
+    always @(posedge clk) begin
+        time_reg <= time_reg + 1'b1;
+        if (pixel && line_done) begin
+            line_times[lines_reg[3:0]] <= time_reg;
+            lines_reg <= lines_reg + 1'b1;
+        end
+        if (frame_start)
+            first_reg <= 1'b1;
+        else if (pixel)
+            first_reg <= 1'b0;
+
+        if (point) begin
+            answered_reg <= !point_end;
+            if (!answered_reg)
+                first_result_latency <= time_reg - first_time;
+            if (point_end)
+                base_reg <= next_base;
+        end
+
+        measure_reg    <= point && !point_end && remembered;
+        ended_reg      <= point && point_end;
+        point_time_reg <= time_reg;
+        line_time_reg  <= line_times[deciding_line[3:0]];
+        decision_reg   <= ended_reg ? {WIDTH{1'b0}} : greatest;
+        if (ended_reg)
+            decision_latency <= greatest;
+
+        if (rst) begin
+            time_reg     <= {WIDTH{1'b0}};
+            lines_reg    <= {SIZE_WIDTH+1{1'b0}};
+            base_reg     <= {SIZE_WIDTH+1{1'b0}};
+            decision_reg <= {WIDTH{1'b0}};
+            answered_reg <= 1'b0;
+            measure_reg  <= 1'b0;
+            ended_reg    <= 1'b0;
+        end
+    end
+
+endmodule
+
+`default_nettype wire
