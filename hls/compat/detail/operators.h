@@ -58,7 +58,7 @@ AP_EXPRESSION typename Results<A, B>::mod operator%(const A& a, const B& b) {
 template <class A, class B>
 struct Common {
   typedef Results<A, B> R;
-  static const int W = larger(R::I + R::F, 1);
+  static const int W = larger(R::I + R::F, 1 + R::S);
   static AP_EXPRESSION Raw<W, R::S> left(const A& a) {
     return static_cast<Raw<W, R::S>>(aligned<W, R::F>(a));
   }
@@ -98,8 +98,7 @@ AP_EXPRESSION Raw<W, S> shift_left(T x, N n) {
 }
 template <int W, bool S, class T, class N>
 AP_EXPRESSION Raw<W, S> shift_right(T x, N n) {
-  return static_cast<Raw<W, S>>(x) >> (n >= static_cast<N>(W) ? static_cast<N>(W - 1) : n) >>
-         (!S && n >= static_cast<N>(W));
+  return n < static_cast<N>(W) ? static_cast<Raw<W, S>>(x >> n) : S ? static_cast<Raw<W, S>>(x >> (W - 1)) : 0;
 }
 
 template <class A>
