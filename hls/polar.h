@@ -206,20 +206,11 @@ void polar(hls::stream<Mask>& mask, hls::stream<Contact>& contacts, hls::stream<
 #pragma HLS AGGREGATE variable = first_columns
 #pragma HLS AGGREGATE variable = last_columns
 #pragma HLS AGGREGATE variable = states
-// A line reads its row LINE_DELAY or more columns after the row was written and LINE_SLACK - LINE_DELAY or
-// more before it is overwritten; its state was written one width (>= LINE_SLACK) before.
-#pragma HLS DEPENDENCE variable = first_columns inter false
-#pragma HLS DEPENDENCE variable = last_columns inter false
-#pragma HLS DEPENDENCE variable = states inter false
 
   const Size free_columns = width < LINE_SLACK ? Size(0) : Size(width - LINE_SLACK);
   const ap_uint<9> walked = line_count < free_columns ? line_count : ap_uint<9>(free_columns);
   const Size tail = LINE_DELAY + walked;
-  Taps taps;
-  for (int i = 0; i < 5; ++i) {
-#pragma HLS UNROLL
-    taps.pixel[i] = 0;
-  }
+  Taps taps = {{0, 0, 0, 0, 0}};
   Size high_before = 0;
 
   if (walked == 0) {
@@ -227,11 +218,16 @@ void polar(hls::stream<Mask>& mask, hls::stream<Contact>& contacts, hls::stream<
     counts.write(none);
   }
 
-CYCLES:
   // Row `height` holds no pixels, just the steps of the lines in the last row.
+CYCLES:
   for (RasterPosition at(width); at.v < height || (at.v == height && at.u < tail); at.advance()) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT + MAX_LINES
+// True: a line reads its row LINE_DELAY or more steps after that was written and LINE_SLACK - LINE_DELAY or
+// more before it is overwritten; its state was written one width (>= LINE_SLACK) before.
+#pragma HLS DEPENDENCE variable = first_columns inter false
+#pragma HLS DEPENDENCE variable = last_columns inter false
+#pragma HLS DEPENDENCE variable = states inter false
     // The row that comes in.
     const bool streaming = at.v < height;
     Mask pixel = 0;
