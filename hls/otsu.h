@@ -1,12 +1,17 @@
 /// Histogram and Otsu's threshold (ICVS paper, eq. 9-11): the grey level t that best splits a frame into two
 /// classes, p <= t and p > t. The threshold of a frame is used on the next one.
 ///
-/// With q(t) pixels in the lower class, s(t) their sum, N pixels of sum S, the between-class variance is
-/// proportional to (N s - q S)^2 / (q (N - q)). Fractions are compared by cross multiplication, without
-/// rounding. Between two grey levels that occur every t makes the same split: the lowest of equals is taken.
-/// A frame of a single grey level has no split: threshold 0.
+/// With N pixels of sum S in the frame, q(t) pixels of sum s(t) in the lower class, the between-class
+/// variance is proportional to d^2 / (q (N - q)), d = q S - N s. The answer is exact, in three steps:
+///   pixels      count the grey levels while the frame passes;
+///   scores      log2 of every t's variance, to within a proven error. What lies farther below the best score
+///               than twice that error cannot be the best and is dropped; a few contenders remain;
+///   contenders  are compared by cross multiplication, limb by limb.
+/// Between two grey levels that occur every t makes the same split; the lowest of equals is taken. A frame of
+/// a single grey level has no split: threshold 0.
 ///
-/// II = 1 while pixels pass; the scan of the histogram clears it for the next frame.
+/// II = 1. A frame takes width * height + 512 + about 75 cycles a contender (mostly one to three) + 40. The
+/// histogram is cleared while it is read. Nine DSPs.
 #ifndef FLOORLINE_HLS_OTSU_H
 #define FLOORLINE_HLS_OTSU_H
 
@@ -16,14 +21,204 @@
 #include "types.h"
 
 namespace floorline {
+namespace otsu_scan {
+
+/// Widths for frames of up to MAX_PIXELS pixels.
+template <unsigned long MAX_PIXELS>
+struct Widths {
+  enum { COUNT = BitWidth<MAX_PIXELS>::value };
+  typedef ap_uint<COUNT> Count;              ///< q, N.
+  typedef ap_uint<COUNT + 8> Sum;            ///< s, S.
+  typedef ap_uint<2 * COUNT - 2> Product;    ///< q (N - q) <= N^2 / 4.
+  typedef ap_uint<2 * COUNT + 6> Deviation;  ///< d = q (N - q) times the distance of the class means.
+};
+
+/// A level whose score is too near the best one to tell them apart.
+template <typename Widths>
+struct Contender {
+  Pixel level;
+  typename Widths::Deviation deviation;
+  typename Widths::Product product;
+};
+
+/// Word of chord i of log2(1 + x), x from i / 64 to (i + 1) / 64: base (17 bits, Q0.17) in bits 28:12, slope
+/// (12 bits, Q0.17 a chord) in bits 11:0.
+struct LogarithmChord {
+  static const int COUNT = 64;
+
+  /// atanh(z) / z for z^2 = z2 <= 1/9, to within 10^-7.
+  static constexpr double atanh_ratio(double z2) {
+    return 1 + z2 * (1 / 3. + z2 * (1 / 5. + z2 * (1 / 7. + z2 * (1 / 9. + z2 * (1 / 11. + z2 / 13)))));
+  }
+
+  /// log2(m) = 2 / ln 2 * atanh(z), z = (m - 1) / (m + 1), at the start m = 1 + i / 64 of the chord.
+  static constexpr double at_start(int i) {
+    return 2.8853900817779268 * i / (2 * COUNT + i) *
+           atanh_ratio(double(i) * i / (double(2 * COUNT + i) * (2 * COUNT + i)));
+  }
+
+  /// A chord runs below the curve; half its greatest depth is added, so that the error is centred.
+  /// h^2 / 8 * |f''(m)|, f'' = 1 / (ln 2 m^2), h = 1 / 64.
+  static constexpr double half_depth(int i) {
+    return 1.4426950408889634 / (16.0 * (COUNT + i) * (COUNT + i));
+  }
+
+  /// With half a unit for rounding and half a unit for what cutting slope * place drops.
+  static constexpr unsigned base(int i) {
+    return unsigned((at_start(i) + half_depth(i)) * (1 << 17) + 0.5 + 0.5);
+  }
+
+  static constexpr unsigned slope(int i) {
+    return unsigned((at_start(i + 1) - at_start(i)) * (1 << 17) + 0.5);
+  }
+
+  static constexpr unsigned at(int i) { return base(i) << 12 | slope(i); }
+};
+
+typedef ap_uint<23> Logarithm;  ///< Q6.17.
+
+/// Greatest error of logarithm(), in units of 2^-17.
+const int LOGARITHM_ERROR = 5;
+
+/// log2(x), Q6.17, for x > 0.
+template <int BITS>
+inline Logarithm logarithm(ap_uint<BITS> x) {
+#pragma HLS INLINE
+  ap_uint<BITS> mantissa = x;  // shifted up until its first bit is set
+  ap_uint<6> exponent = BITS - 1;
+NORMALISE:
+  for (int shift = 32; shift > 0; shift /= 2) {
+#pragma HLS UNROLL
+    if (shift < BITS && mantissa >> (BITS - shift) == 0) {
+      mantissa = mantissa << shift;
+      exponent = exponent - shift;
+    }
+  }
+  const ap_uint<18> fraction = mantissa >> (BITS - 1 - 18);
+  const ap_uint<32> chord = Table<LogarithmChord, LogarithmChord::COUNT>::word[fraction.range(17, 12)];
+  const ap_uint<17> base = chord.range(28, 12);
+  const ap_uint<12> slope = chord.range(11, 0);
+  const ap_uint<12> place = fraction.range(11, 0);
+  const ap_uint<24> rise = slope * place;
+  return (Logarithm(exponent) << 17) + base + (rise >> 12);
+}
+
+const int LIMB_BITS = 17;  ///< A product of two limbs is one DSP48E1.
+typedef ap_uint<LIMB_BITS> Limb;
+
+/// Steps through the partial products of a long multiplication whose first factor has three limbs, column by
+/// column: term i of column k is x[i] * y[k - i].
+struct LongMultiplication {
+  ap_uint<4> column;
+  ap_uint<2> term;
+
+  LongMultiplication() : column(0), term(0) {}
+
+  bool column_end() const { return term == 2; }
+
+  /// One partial product; 0 where y has no such limb.
+  template <int Y_LIMBS>
+  ap_uint<2 * LIMB_BITS> product(const Limb* x, const Limb* y) const {
+#pragma HLS INLINE
+    const ap_int<5> limb = column - term;
+    if (limb < 0 || limb >= Y_LIMBS) return 0;
+    return x[term] * y[limb];
+  }
+
+  void advance() {
+    if (column_end()) column = column + 1;
+    term = column_end() ? ap_uint<2>(0) : ap_uint<2>(term + 1);
+  }
+};
+
+/// The fraction d^2 / (q (N - q)) of a contender, in limbs, lowest first.
+struct Fraction {
+  Limb numerator[6];
+  Limb denominator[3];
+};
+
+template <int BITS>
+inline void split(ap_uint<BITS> value, Limb* limbs) {
+#pragma HLS INLINE
+  const ap_uint<3 * LIMB_BITS> extended = value;
+  limbs[0] = extended.range(LIMB_BITS - 1, 0);
+  limbs[1] = extended.range(2 * LIMB_BITS - 1, LIMB_BITS);
+  limbs[2] = extended.range(3 * LIMB_BITS - 1, 2 * LIMB_BITS);
+}
+
+inline void square(const Limb* value, Limb* result) {
+#pragma HLS INLINE
+  ap_uint<2 * LIMB_BITS + 2> sum = 0;
+SQUARE:
+  for (LongMultiplication at; at.column < 6; at.advance()) {
+#pragma HLS PIPELINE II = 1
+#pragma HLS LOOP_TRIPCOUNT min = 18 max = 18
+    sum = sum + at.product<3>(value, value);
+    if (at.column_end()) {
+      result[at.column] = sum;
+      sum = sum >> LIMB_BITS;
+    }
+  }
+}
+
+/// a > b. Limbs of the cross products come lowest first, so that the last difference decides.
+inline bool greater(const Fraction& a, const Fraction& b) {
+#pragma HLS INLINE
+  ap_uint<2 * LIMB_BITS + 2> a_sum = 0;
+  ap_uint<2 * LIMB_BITS + 2> b_sum = 0;
+  bool is_greater = false;
+COMPARE:
+  for (LongMultiplication at; at.column < 9; at.advance()) {
+#pragma HLS PIPELINE II = 1
+#pragma HLS LOOP_TRIPCOUNT min = 27 max = 27
+    a_sum = a_sum + at.product<6>(b.denominator, a.numerator);
+    b_sum = b_sum + at.product<6>(a.denominator, b.numerator);
+    if (at.column_end()) {
+      const Limb a_limb = a_sum;
+      const Limb b_limb = b_sum;
+      if (a_limb != b_limb) is_greater = a_limb > b_limb;
+      a_sum = a_sum >> LIMB_BITS;
+      b_sum = b_sum >> LIMB_BITS;
+    }
+  }
+  return is_greater;
+}
+
+/// The first of the best contenders; 0 when there is none.
+template <typename Widths>
+inline Pixel best_contender(const Contender<Widths>* contenders, ap_uint<9> size) {
+#pragma HLS INLINE
+  Fraction fractions[2];  // the best one and the one that is compared with it
+  ap_uint<1> best = 0;
+  Pixel level = 0;
+CONTENDERS:
+  for (ap_uint<9> i = 0; i < size; ++i) {
+#pragma HLS LOOP_TRIPCOUNT min = 0 max = 256
+    const Contender<Widths> contender = contenders[i];
+    const ap_uint<1> other = ~best;
+    Limb deviation[3];
+    split(contender.deviation, deviation);
+    split(contender.product, fractions[other].denominator);
+    square(deviation, fractions[other].numerator);
+    if (i == 0 || greater(fractions[other], fractions[best])) {
+      best = other;
+      level = contender.level;
+    }
+  }
+  return level;
+}
+
+}  // namespace otsu_scan
 
 /// in: width * height pixels. out: the same ones. thresholds: one a frame, before its first pixel: the
 /// threshold found on the frame before, 0 on the first frame.
 template <int MAX_WIDTH, int MAX_HEIGHT>
 void otsu(hls::stream<Pixel>& in, hls::stream<Pixel>& out, hls::stream<Pixel>& thresholds, Size width,
           Size height) {
-  typedef ap_uint<BitWidth<MAX_WIDTH * MAX_HEIGHT>::value> Count;
-  typedef ap_uint<Count::width + 8> Sum;
+  using namespace otsu_scan;
+  typedef Widths<MAX_WIDTH * MAX_HEIGHT> W;
+  typedef typename W::Count Count;
+  static_assert(W::Deviation::width <= 3 * LIMB_BITS, "MAX_WIDTH * MAX_HEIGHT must be below 2^22.");
   static Count histogram[256];
 #pragma HLS RESOURCE variable = histogram core = RAM_S2P_BRAM
   static Pixel threshold = 0;
@@ -34,7 +229,7 @@ void otsu(hls::stream<Pixel>& in, hls::stream<Pixel>& out, hls::stream<Pixel>& t
   Pixel pixel1 = 0, pixel2 = 0;
   Count count1 = 0, count2 = 0;
   Count total = 0;
-  Sum total_sum = 0;
+  typename W::Sum total_sum = 0;
 PIXELS:
   for (RasterPosition at(width); at.v < height; at.advance()) {
 #pragma HLS PIPELINE II = 1
@@ -61,27 +256,50 @@ PIXELS:
     total_sum = total_sum + pixel;
   }
 
+  // Two steps a level, so that one logarithm does: first d, then q (N - q).
+  const int WINDOW = 2 * (2 + 1) * LOGARITHM_ERROR;
+  Contender<W> contenders[256];
+  ap_uint<9> contender_count = 0;
+  Count count = 0;
   Count below = 0;
-  Sum below_sum = 0;
-  ap_uint<2 * (Sum::width + Count::width)> best_squared = 0;
-  ap_uint<2 * Count::width> best_product = 1;
-  threshold = 0;
-BINS:
-  for (ap_uint<9> t = 0; t < 256; ++t) {
-    const Count count = histogram[t];
-    histogram[t] = 0;
-    below = below + count;
-    below_sum = below_sum + count * t;
-    if (count == 0 || below == total) continue;
-    const ap_int<Sum::width + Count::width + 1> deviation = total * below_sum - below * total_sum;
-    const ap_uint<2 * (Sum::width + Count::width)> squared = deviation * deviation;
-    const ap_uint<2 * Count::width> product = below * (total - below);
-    if (squared * best_product > best_squared * product) {
-      best_squared = squared;
-      best_product = product;
-      threshold = t;
+  ap_int<W::Deviation::width + 2> deviation = 0;
+  ap_int<W::Sum::width + 1> excess = total_sum;  // S - N t
+  Logarithm deviation_logarithm = 0;
+  ap_int<25> best_score = -(1 << 23);
+SCORES:
+  for (ap_uint<10> step = 0; step < 512; ++step) {
+#pragma HLS PIPELINE II = 1
+// True: every bin is read and cleared once.
+#pragma HLS DEPENDENCE variable = histogram inter false
+    const Pixel level = step >> 1;
+    const bool deviation_turn = !step[0];
+    if (deviation_turn) {
+      count = histogram[level];
+      histogram[level] = 0;
+      below = below + count;
+      deviation = deviation + count * excess;
+      excess = excess - total;
+    }
+    const typename W::Product product = below * (total - below);
+    const typename W::Deviation operand =
+        deviation_turn ? typename W::Deviation(deviation) : typename W::Deviation(product);
+    const Logarithm result = logarithm<W::Deviation::width>(operand);
+    if (deviation_turn) {
+      deviation_logarithm = result;
+    } else if (count != 0 && below != total) {
+      const ap_int<25> score = (ap_int<25>(deviation_logarithm) << 1) - result;
+      const ap_int<25> surely_above = score - WINDOW;
+      const ap_int<25> maybe_above = score + WINDOW;
+      const ap_uint<9> place = surely_above > best_score ? ap_uint<9>(0) : contender_count;
+      if (maybe_above >= best_score) {
+        const Contender<W> contender = {level, deviation, product};
+        contenders[Pixel(place)] = contender;
+        contender_count = place + 1;
+      }
+      if (score > best_score) best_score = score;
     }
   }
+  threshold = best_contender<W>(contenders, contender_count);
 }
 
 }  // namespace floorline

@@ -1,6 +1,7 @@
 #include "hls/otsu.h"
 
 #include <array>
+#include <cmath>
 
 #include "golden/otsu.h"
 #include "image_stream.h"
@@ -75,6 +76,38 @@ TEST(Otsu, ImagesOfAFewPixelsAreExact) {
     random.fill(image, cv::RNG::UNIFORM, 0, random.uniform(2, 257));
     ASSERT_EQ(run(image), exact_otsu(image)) << image;
   }
+}
+
+/// Levels 0 to 255 whose variance hardly hangs on the threshold: a tail that falls with the square of the
+/// level.
+TEST(Otsu, ManyContendersAreComparedExactly) {
+  for (const double scale : {1e4, 1e5, 3e5}) {
+    std::vector<uchar> pixels(200000, 0);
+    for (int level = 1; level < 256; ++level) {
+      const int count = static_cast<int>(scale / (level * level * level));
+      pixels.insert(pixels.end(), std::min<std::size_t>(count, 640 * 480 - pixels.size()),
+                    static_cast<uchar>(level));
+    }
+    pixels.resize(pixels.size() / 640 * 640);
+    const cv::Mat image(static_cast<int>(pixels.size() / 640), 640, CV_8UC1, pixels.data());
+    EXPECT_EQ(run(image), exact_otsu(image)) << scale;
+  }
+}
+
+TEST(Otsu, ScoresAreWithinTheProvenError) {
+  double worst = 0;
+  const auto check = [&](unsigned long x) {
+    const double found = otsu_scan::logarithm<44>(x).to_double();
+    worst = std::max(worst, std::abs(found - std::ldexp(std::log2(x), 17)));
+  };
+  for (unsigned long x = 1; x < 1 << 20; ++x) check(x);
+  cv::RNG random(8);
+  for (int i = 0; i < 1000000; ++i)
+    check(((static_cast<unsigned long>(random.next()) << 32 | random.next()) >> 20 | 1) >>
+              random.uniform(0, 43) |
+          1);
+  RecordProperty("worst_units", std::to_string(worst));
+  EXPECT_LE(worst, otsu_scan::LOGARITHM_ERROR);
 }
 
 TEST(Otsu, OfEqualSplitsTheLowestIsTaken) {
