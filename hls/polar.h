@@ -56,7 +56,7 @@ struct Summary {
   ap_uint<2> window;
 };
 
-/// Where a line stands between two rows.
+/// Where a line stands between two rows. Packs into 89 bits.
 struct LineState {
   Coordinate column;  ///< First column of the coming run.
   Size error;
