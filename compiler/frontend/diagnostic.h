@@ -1,0 +1,45 @@
+/// Errors and warnings of the compiler: one sentence at file:line:column that says what to do.
+#ifndef HLSC_FRONTEND_DIAGNOSTIC_H
+#define HLSC_FRONTEND_DIAGNOSTIC_H
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace hlsc {
+
+/// A place in the user's source. `line` 0 means unknown.
+struct SourceLocation {
+  std::string file;
+  unsigned line = 0;
+  unsigned column = 0;
+
+  std::string text() const {
+    if (line == 0) return file.empty() ? "<unknown>" : file;
+    return file + ":" + std::to_string(line) + (column ? ":" + std::to_string(column) : "");
+  }
+};
+
+/// A program that cannot be compiled; what() is `file:line:column: error: sentence`.
+class CompileError : public std::runtime_error {
+ public:
+  CompileError(const SourceLocation& where, const std::string& sentence)
+      : std::runtime_error(where.text() + ": error: " + sentence) {}
+  explicit CompileError(const std::string& sentence) : std::runtime_error("error: " + sentence) {}
+};
+
+/// Warnings gathered while compiling, in source order of discovery.
+struct Diagnostics {
+  std::vector<std::string> warnings;
+
+  void warn(const SourceLocation& where, const std::string& sentence) {
+    std::string text = where.text() + ": warning: " + sentence;
+    for (const std::string& known : warnings)
+      if (known == text) return;
+    warnings.push_back(text);
+  }
+};
+
+}  // namespace hlsc
+
+#endif

@@ -1,0 +1,231 @@
+#include "frontend/frontend.h"
+
+#include <clang/AST/ASTConsumer.h>
+#include <clang/AST/Mangle.h>
+#include <clang/AST/RecursiveASTVisitor.h>
+#include <clang/CodeGen/CodeGenAction.h>
+#include <clang/Frontend/CompilerInstance.h>
+#include <clang/Frontend/MultiplexConsumer.h>
+#include <clang/Frontend/TextDiagnosticPrinter.h>
+#include <clang/Frontend/Utils.h>
+#include <clang/Lex/PreprocessorOptions.h>
+#include <llvm/IR/LLVMContext.h>
+#include <llvm/IR/Module.h>
+#include <llvm/Linker/Linker.h>
+#include <llvm/Support/Path.h>
+
+#include "frontend/language_checks.h"
+#include "frontend/pragma_handler.h"
+
+namespace hlsc {
+
+Program::Program() = default;
+Program::~Program() {
+  module.reset();  // Before its context.
+}
+Program::Program(Program&&) noexcept = default;
+
+namespace {
+
+std::string mangled_name(clang::MangleContext& mangler, const clang::FunctionDecl* function) {
+  if (!mangler.shouldMangleDeclName(function)) return function->getNameAsString();
+  std::string text;
+  llvm::raw_string_ostream out(text);
+  mangler.mangleName(clang::GlobalDecl(function), out);
+  return text;
+}
+
+bool is_stream_type(clang::QualType type) {
+  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
+  return record && record->getQualifiedNameAsString() == "hls::stream";
+}
+
+/// The part of a parameter that its type tells; layout errors surface only where the parameter is used.
+Parameter describe(clang::ASTContext& context, const clang::ParmVarDecl* declaration) {
+  Parameter parameter;
+  parameter.name = declaration->getNameAsString();
+  clang::QualType type = declaration->getOriginalType().getNonReferenceType();
+  parameter.is_indirect =
+      declaration->getType()->isReferenceType() || declaration->getType()->isPointerType();
+  bool top_level = true;
+  while (true) {
+    if (const clang::ConstantArrayType* array = context.getAsConstantArrayType(type)) {
+      parameter.dims.push_back(array->getSize().getZExtValue());
+      type = array->getElementType();
+    } else if (const clang::ArrayType* open_array = context.getAsArrayType(type)) {
+      parameter.dims.push_back(0);
+      type = open_array->getElementType();
+    } else if (top_level && type->isPointerType()) {
+      parameter.dims.push_back(0);
+      type = type->getPointeeType();
+    } else {
+      break;
+    }
+    top_level = false;
+  }
+  parameter.is_const = type.isConstQualified() || !parameter.is_indirect;
+  parameter.is_stream = is_stream_type(type);
+  if (parameter.is_stream) {
+    const auto* stream = llvm::cast<clang::ClassTemplateSpecializationDecl>(type->getAsCXXRecordDecl());
+    type = stream->getTemplateArgs()[0].getAsType();
+  }
+  parameter.layout = layout_of(context, type);
+  return parameter;
+}
+
+/// Collects stream element types and the user's functions from one translation unit.
+class ProgramReader : public clang::ASTConsumer, public clang::RecursiveASTVisitor<ProgramReader> {
+ public:
+  ProgramReader(Program& program, const FrontendOptions& options, std::vector<std::string>& tops)
+      : program_(program), options_(options), tops_(tops) {}
+
+  bool shouldVisitTemplateInstantiations() const { return true; }
+
+  void HandleTranslationUnit(clang::ASTContext& context) override {
+    if (context.getDiagnostics().hasErrorOccurred()) return;
+    context_ = &context;
+    mangler_.reset(context.createMangleContext());
+    TraverseDecl(context.getTranslationUnitDecl());
+    check_language(context);
+  }
+
+  bool VisitFunctionDecl(clang::FunctionDecl* function) {
+    if (function->isDependentContext()) return true;
+    llvm::StringRef name = function->getIdentifier() ? function->getName() : "";
+    if (name.starts_with("__hls_stream_") && function->getTemplateSpecializationArgs())
+      program_.stream_types[mangled_name(*mangler_, function)] =
+          layout_of(*context_, function->getTemplateSpecializationArgs()->get(0).getAsType());
+    else if (function->isThisDeclarationADefinition() && !llvm::isa<clang::CXXMethodDecl>(function) &&
+             !context_->getSourceManager().isInSystemHeader(function->getLocation()))
+      read_function(function);
+    return true;
+  }
+
+ private:
+  void read_function(clang::FunctionDecl* function) {
+    FunctionInfo info;
+    info.name = function->getNameAsString();
+    info.qualified = function->getQualifiedNameAsString();
+    clang::PresumedLoc place = context_->getSourceManager().getPresumedLoc(function->getLocation());
+    info.location = {place.getFilename(), place.getLine(), place.getColumn()};
+    std::string mangled = mangled_name(*mangler_, function);
+    if (info.name == options_.top || info.qualified == options_.top) tops_.push_back(mangled);
+    try {
+      for (const clang::ParmVarDecl* parameter : function->parameters())
+        info.parameters.push_back(describe(*context_, parameter));
+      if (!function->getReturnType()->isVoidType())
+        info.result = layout_of(*context_, function->getReturnType());
+    } catch (const CompileError&) {
+      return;  // A helper that takes, say, a pointer to pointer: it is inlined, so its signature does not
+               // matter.
+    }
+    program_.functions[mangled] = info;
+  }
+
+  Program& program_;
+  const FrontendOptions& options_;
+  std::vector<std::string>& tops_;
+  clang::ASTContext* context_ = nullptr;
+  std::unique_ptr<clang::MangleContext> mangler_;
+};
+
+class ParseAction : public clang::EmitLLVMOnlyAction {
+ public:
+  ParseAction(Program& program, const FrontendOptions& options, std::vector<std::string>& tops)
+      : EmitLLVMOnlyAction(program.context.get()), program_(program), options_(options), tops_(tops) {}
+
+ protected:
+  bool BeginSourceFileAction(clang::CompilerInstance& compiler) override {
+    add_pragma_handler(compiler.getPreprocessor());
+    return EmitLLVMOnlyAction::BeginSourceFileAction(compiler);
+  }
+  std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance& compiler,
+                                                        llvm::StringRef file) override {
+    std::vector<std::unique_ptr<clang::ASTConsumer>> consumers;
+    consumers.push_back(std::make_unique<ProgramReader>(program_, options_, tops_));
+    consumers.push_back(EmitLLVMOnlyAction::CreateASTConsumer(compiler, file));
+    return std::make_unique<clang::MultiplexConsumer>(std::move(consumers));
+  }
+
+ private:
+  Program& program_;
+  const FrontendOptions& options_;
+  std::vector<std::string>& tops_;
+};
+
+std::vector<std::string> clang_arguments(const FrontendOptions& options, const std::string& file) {
+  bool is_c = llvm::sys::path::extension(file) == ".c";
+  std::vector<std::string> arguments = {HLSC_CLANG};
+  arguments.push_back("-std=" + (options.standard.empty() ? (is_c ? "c17" : "c++17") : options.standard));
+  for (const char* fixed : {"-c", "-O1", "-g", "-gcolumn-info", "-fno-exceptions", "-fno-rtti",
+                            "-fno-threadsafe-statics", "-fno-discard-value-names", "-fno-vectorize",
+                            "-fno-builtin", "-Wno-unknown-pragmas", "-Wno-unused-value", "-Wno-everything",
+                            "-Werror=return-type", "-D__SYNTHESIS__", "-D__FLOORLINE_HLSC__"})
+    arguments.push_back(fixed);
+  for (const std::string& define : options.defines) arguments.push_back("-D" + define);
+  arguments.push_back("-isystem" HLSC_INCLUDE_DIR);
+  arguments.push_back("-isystem" HLSC_TYPES_DIR);
+  for (const std::string& dir : options.include_dirs) arguments.push_back("-I" + dir);
+  arguments.push_back(file);
+  return arguments;
+}
+
+void parse_file(Program& program, const FrontendOptions& options, const std::string& file,
+                std::vector<std::string>& tops) {
+  std::vector<std::string> arguments = clang_arguments(options, file);
+  std::vector<const char*> pointers;
+  for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
+
+  std::string messages;
+  llvm::raw_string_ostream message_stream(messages);
+  auto printer_options = llvm::makeIntrusiveRefCnt<clang::DiagnosticOptions>();
+  auto* printer = new clang::TextDiagnosticPrinter(message_stream, printer_options.get());
+  auto diagnostics = clang::CompilerInstance::createDiagnostics(printer_options.get(), printer);
+
+  clang::CreateInvocationOptions invocation_options;
+  invocation_options.Diags = diagnostics;
+  std::shared_ptr<clang::CompilerInvocation> invocation =
+      clang::createInvocation(pointers, invocation_options);
+  if (!invocation) throw CompileError(messages.empty() ? "cannot start Clang for " + file : messages);
+  invocation->getPreprocessorOpts().addRemappedFile(
+      "/hlsc_prelude.h", llvm::MemoryBuffer::getMemBufferCopy(kPragmaPrelude).release());
+  invocation->getPreprocessorOpts().Includes.push_back("/hlsc_prelude.h");
+  invocation->getCodeGenOpts().DisableLLVMPasses = true;
+  invocation->getFrontendOpts().DisableFree = false;
+
+  clang::CompilerInstance compiler;
+  compiler.setInvocation(invocation);
+  compiler.setDiagnostics(diagnostics.get());
+  ParseAction action(program, options, tops);
+  bool done = compiler.ExecuteAction(action);
+  if (!done || diagnostics->hasErrorOccurred())
+    throw CompileError(messages.empty() ? "cannot compile " + file : messages);
+  std::unique_ptr<llvm::Module> module = action.takeModule();
+  if (!program.module)
+    program.module = std::move(module);
+  else if (llvm::Linker::linkModules(*program.module, std::move(module)))
+    throw CompileError("cannot link " + file + ": give every function one definition");
+}
+
+}  // namespace
+
+Program parse_program(const FrontendOptions& options) {
+  Program program;
+  program.context = std::make_unique<llvm::LLVMContext>();
+  std::vector<std::string> tops;
+  for (const std::string& file : options.files) parse_file(program, options, file, tops);
+  std::sort(tops.begin(), tops.end());
+  tops.erase(std::unique(tops.begin(), tops.end()), tops.end());
+  if (tops.empty())
+    throw CompileError("no function '" + options.top +
+                       "' is defined in the sources; give its name with --top");
+  if (tops.size() > 1)
+    throw CompileError("function '" + options.top +
+                       "' has several overloads or instances; give the top a name of its own");
+  program.top = tops[0];
+  // Without native integer sizes LLVM narrows operations to the width that is needed, as hardware wants.
+  program.module->setDataLayout("e-m:e-p270:32:32-p271:32:32-p272:64:64-i64:64-i128:128-f80:128-S128");
+  return program;
+}
+
+}  // namespace hlsc

@@ -1,0 +1,66 @@
+/// C++ and C sources to LLVM IR, with what only Clang's syntax tree knows: type layouts and parameter names.
+#ifndef HLSC_FRONTEND_FRONTEND_H
+#define HLSC_FRONTEND_FRONTEND_H
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "frontend/diagnostic.h"
+#include "frontend/type_layout.h"
+
+namespace llvm {
+class LLVMContext;
+class Module;
+}  // namespace llvm
+
+namespace hlsc {
+
+struct FrontendOptions {
+  std::vector<std::string> files;
+  std::vector<std::string> include_dirs;
+  std::vector<std::string> defines;
+  std::string standard;  ///< As -std=; empty: c++17 for C++, c17 for C.
+  std::string top;       ///< Name of the top function, as written or qualified.
+};
+
+/// A parameter as the programmer declared it.
+struct Parameter {
+  std::string name;
+  TypeLayout layout;           ///< Of the value, the referenced value, or one array element.
+  std::vector<uint64_t> dims;  ///< Array dimensions; a leading 0 stands for a plain pointer.
+  bool is_stream = false;
+  bool is_indirect = false;  ///< Reference or pointer.
+  bool is_const = false;     ///< The function cannot write to it.
+};
+
+/// A function as the programmer declared it.
+struct FunctionInfo {
+  std::string name;       ///< Without namespace and template arguments.
+  std::string qualified;  ///< With both.
+  SourceLocation location;
+  std::vector<Parameter> parameters;
+  TypeLayout result;  ///< No leaves: void.
+};
+
+struct Program {
+  Program();
+  ~Program();
+  Program(Program&&) noexcept;
+
+  std::unique_ptr<llvm::LLVMContext> context;
+  std::unique_ptr<llvm::Module> module;
+  std::string top;  ///< Mangled name of the top function.
+  /// Layout of T by the mangled name of each stream primitive instance `__hls_stream_read<T>` and its like.
+  std::map<std::string, TypeLayout> stream_types;
+  std::map<std::string, FunctionInfo> functions;  ///< By mangled name; those defined in the user's sources.
+};
+
+/// Parses all files and links them to one module of unoptimised IR. Throws CompileError with Clang's messages
+/// or our own.
+Program parse_program(const FrontendOptions& options);
+
+}  // namespace hlsc
+
+#endif

@@ -1,0 +1,74 @@
+#include "frontend/language_checks.h"
+
+#include <clang/AST/ASTContext.h>
+#include <clang/AST/RecursiveASTVisitor.h>
+#include <clang/Basic/SourceManager.h>
+
+#include "frontend/pragma_handler.h"
+
+namespace hlsc {
+namespace {
+
+class LanguageChecker : public clang::RecursiveASTVisitor<LanguageChecker> {
+ public:
+  explicit LanguageChecker(clang::ASTContext& context) : context_(context) {}
+
+  bool VisitCXXNewExpr(clang::CXXNewExpr* expression) {
+    refuse(expression->getBeginLoc(), "'new' needs a heap, which hardware lacks; use an array of fixed size");
+    return true;
+  }
+  bool VisitCXXDeleteExpr(clang::CXXDeleteExpr* expression) {
+    refuse(expression->getBeginLoc(),
+           "'delete' needs a heap, which hardware lacks; use an array of fixed size");
+    return true;
+  }
+  bool VisitCXXMethodDecl(clang::CXXMethodDecl* method) {
+    if (method->isVirtual())
+      refuse(method->getLocation(),
+             "virtual functions have no hardware form; use a template parameter or a plain member function");
+    return true;
+  }
+  bool VisitCallExpr(clang::CallExpr* call) {
+    const clang::FunctionDecl* callee = call->getDirectCallee();
+    if (!callee || !callee->getIdentifier()) return true;
+    llvm::StringRef name = callee->getName();
+    if (name == "malloc" || name == "calloc" || name == "realloc" || name == "free")
+      refuse(call->getBeginLoc(),
+             "'" + name.str() + "' needs a heap, which hardware lacks; use an array of fixed size");
+    return true;
+  }
+  bool VisitForStmt(clang::ForStmt* loop) { return check_body(loop->getBody()); }
+  bool VisitWhileStmt(clang::WhileStmt* loop) { return check_body(loop->getBody()); }
+  bool VisitDoStmt(clang::DoStmt* loop) { return check_body(loop->getBody()); }
+  bool VisitIfStmt(clang::IfStmt* branch) {
+    return check_body(branch->getThen()) && check_body(branch->getElse());
+  }
+
+ private:
+  /// A pragma between a loop's head and its lone statement would take the statement's place.
+  bool check_body(const clang::Stmt* body) {
+    const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(body);
+    const clang::FunctionDecl* callee = call ? call->getDirectCallee() : nullptr;
+    if (callee && callee->getIdentifier() && callee->getName() == kPragmaMarker)
+      refuse(call->getBeginLoc(),
+             "the pragma stands between a statement and its body; put braces around the body and the pragma "
+             "inside");
+    return true;
+  }
+
+  void refuse(clang::SourceLocation where, const std::string& sentence) {
+    if (context_.getSourceManager().isInSystemHeader(where)) return;
+    clang::DiagnosticsEngine& diagnostics = context_.getDiagnostics();
+    diagnostics.Report(where, diagnostics.getCustomDiagID(clang::DiagnosticsEngine::Error, "%0")) << sentence;
+  }
+
+  clang::ASTContext& context_;
+};
+
+}  // namespace
+
+void check_language(clang::ASTContext& context) {
+  LanguageChecker(context).TraverseDecl(context.getTranslationUnitDecl());
+}
+
+}  // namespace hlsc

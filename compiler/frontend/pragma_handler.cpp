@@ -1,0 +1,172 @@
+#include "frontend/pragma_handler.h"
+
+#include <clang/Basic/IdentifierTable.h>
+#include <clang/Lex/Pragma.h>
+#include <clang/Lex/Preprocessor.h>
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace hlsc {
+
+const char* const kPragmaMarker = "__hls_pragma";
+const char* const kPragmaPrelude =
+    "#ifdef __cplusplus\n"
+    "extern \"C\"\n"
+    "#endif\n"
+    "void __hls_pragma(const char*, const char*, const void*, ...);\n";
+
+namespace {
+
+/// Options whose value is a number, so that a name there is an expression of the program.
+bool is_numeric_option(llvm::StringRef key) {
+  static const std::set<std::string> names = {"ii",  "factor", "dim",     "depth",    "min",
+                                              "max", "avg",    "latency", "distance", "limit"};
+  return names.count(key.lower()) != 0;
+}
+
+using Tokens = llvm::SmallVector<clang::Token, 16>;
+
+class HlsPragmaHandler : public clang::PragmaHandler {
+ public:
+  HlsPragmaHandler(clang::Preprocessor&, llvm::StringRef spelling) : PragmaHandler(spelling) {}
+
+  void HandlePragma(clang::Preprocessor& preprocessor, clang::PragmaIntroducer,
+                    clang::Token& first) override {
+    Tokens line;
+    clang::Token token;
+    for (preprocessor.Lex(token); token.isNot(clang::tok::eod); preprocessor.Lex(token))
+      line.push_back(token);
+    inject(preprocessor, marker_call(preprocessor, line, first.getLocation()));
+  }
+
+ private:
+  /// Index just after the option value that starts at `at`: operands joined by operators (`max = WIDTH *
+  /// HEIGHT + 1`).
+  static size_t end_of_value(const Tokens& line, size_t at) {
+    int open = 0;
+    size_t end = at;
+    bool operand_done = false;
+    for (; end < line.size(); ++end) {
+      const clang::Token& token = line[end];
+      bool opens = token.isOneOf(clang::tok::l_paren, clang::tok::l_square);
+      bool closes = token.isOneOf(clang::tok::r_paren, clang::tok::r_square);
+      bool is_operand = token.isAnyIdentifier() || token.isLiteral() || token.is(clang::tok::kw_return);
+      if (open == 0 && operand_done && (is_operand || token.is(clang::tok::comma))) break;
+      open += opens - closes;
+      operand_done = is_operand || closes;
+    }
+    return end;
+  }
+
+  Tokens marker_call(clang::Preprocessor& preprocessor, const Tokens& line, clang::SourceLocation where) {
+    std::string text, variable_name;
+    Tokens variable, numbers;
+    int number_count = 0;
+    for (size_t i = 0; i < line.size();) {
+      std::string word = preprocessor.getSpelling(line[i]);
+      bool is_option = i + 2 < line.size() && line[i + 1].is(clang::tok::equal);
+      if (!is_option) {
+        text += (text.empty() ? "" : " ") + word;
+        ++i;
+        continue;
+      }
+      size_t value_end = end_of_value(line, i + 2);
+      std::string value;
+      for (size_t k = i + 2; k < value_end; ++k) value += preprocessor.getSpelling(line[k]);
+      bool names_variable =
+          (llvm::StringRef(word).lower() == "variable" || llvm::StringRef(word).lower() == "port") &&
+          value != "return";
+      if (names_variable) {
+        variable_name = value;
+        variable.assign(line.begin() + i + 2, line.begin() + value_end);
+      } else if (is_numeric_option(word) && line[i + 2].isNot(clang::tok::numeric_constant) &&
+                 line[i + 2].isNot(clang::tok::minus)) {
+        punctuate(numbers, clang::tok::comma, where);
+        punctuate(numbers, clang::tok::l_paren, where);
+        append_word(preprocessor, numbers, "long", where);
+        punctuate(numbers, clang::tok::r_paren, where);
+        punctuate(numbers, clang::tok::l_paren, where);
+        numbers.append(line.begin() + i + 2, line.begin() + value_end);
+        punctuate(numbers, clang::tok::r_paren, where);
+        text += " " + word + "=$" + std::to_string(number_count++);
+      } else {
+        text += " " + word + "=" + value;
+      }
+      i = value_end;
+    }
+
+    Tokens call;
+    append_word(preprocessor, call, kPragmaMarker, where);
+    punctuate(call, clang::tok::l_paren, where);
+    append_string(preprocessor, call, text, where);
+    punctuate(call, clang::tok::comma, where);
+    append_string(preprocessor, call, variable_name, where);
+    punctuate(call, clang::tok::comma, where);
+    append_variable(preprocessor, call, variable, where);
+    call.append(numbers.begin(), numbers.end());
+    punctuate(call, clang::tok::r_paren, where);
+    punctuate(call, clang::tok::semi, where);
+    return call;
+  }
+
+  static clang::Token blank(clang::tok::TokenKind kind, clang::SourceLocation where) {
+    clang::Token token;
+    token.startToken();
+    token.setKind(kind);
+    token.setLocation(where);
+    return token;
+  }
+  static void punctuate(Tokens& out, clang::tok::TokenKind kind, clang::SourceLocation where) {
+    out.push_back(blank(kind, where));
+    out.back().setLength(1);
+  }
+  static void append_word(clang::Preprocessor& preprocessor, Tokens& out, llvm::StringRef word,
+                          clang::SourceLocation where) {
+    clang::IdentifierInfo* info = preprocessor.getIdentifierInfo(word);
+    out.push_back(blank(info->getTokenID(), where));
+    out.back().setIdentifierInfo(info);
+    out.back().setLength(word.size());
+  }
+  static void append_string(clang::Preprocessor& preprocessor, Tokens& out, const std::string& text,
+                            clang::SourceLocation where) {
+    clang::Token token = blank(clang::tok::string_literal, where);
+    preprocessor.CreateString("\"" + text + "\"", token, where, where);
+    out.push_back(token);
+  }
+  /// `(const void*)&(variable)`, or `0` without a variable.
+  static void append_variable(clang::Preprocessor& preprocessor, Tokens& out, const Tokens& variable,
+                              clang::SourceLocation where) {
+    if (variable.empty()) {
+      out.push_back(blank(clang::tok::numeric_constant, where));
+      preprocessor.CreateString("0", out.back(), where, where);
+      return;
+    }
+    punctuate(out, clang::tok::l_paren, where);
+    append_word(preprocessor, out, "const", where);
+    append_word(preprocessor, out, "void", where);
+    punctuate(out, clang::tok::star, where);
+    punctuate(out, clang::tok::r_paren, where);
+    punctuate(out, clang::tok::amp, where);
+    punctuate(out, clang::tok::l_paren, where);
+    out.append(variable.begin(), variable.end());
+    punctuate(out, clang::tok::r_paren, where);
+  }
+
+  static void inject(clang::Preprocessor& preprocessor, const Tokens& tokens) {
+    auto owned = std::make_unique<clang::Token[]>(tokens.size());
+    std::copy(tokens.begin(), tokens.end(), owned.get());
+    preprocessor.EnterTokenStream(std::move(owned), tokens.size(), /*DisableMacroExpansion=*/true,
+                                  /*IsReinject=*/false);
+  }
+};
+
+}  // namespace
+
+void add_pragma_handler(clang::Preprocessor& preprocessor) {
+  for (const char* spelling : {"HLS", "hls", "AP"})
+    preprocessor.AddPragmaHandler(new HlsPragmaHandler(preprocessor, spelling));
+}
+
+}  // namespace hlsc

@@ -1,0 +1,229 @@
+#include "middle/array_access.h"
+
+#include <llvm/IR/GetElementPtrTypeIterator.h>
+
+#include "middle/llvm_headers.h"
+#include "middle/source_location.h"
+
+namespace hlsc {
+namespace {
+
+using namespace llvm;
+
+constexpr const char* kElementPrefix = "hls.element";
+
+void collect_leaves(const DataLayout& layout, Type* type, MemoryLeaf leaf, std::vector<MemoryLeaf>& leaves) {
+  if (auto* array = dyn_cast<ArrayType>(type)) {
+    leaf.dims.push_back(array->getNumElements());
+    leaf.strides.push_back(layout.getTypeAllocSize(array->getElementType()));
+    collect_leaves(layout, array->getElementType(), leaf, leaves);
+  } else if (auto* structure = dyn_cast<StructType>(type)) {
+    for (unsigned i = 0; i < structure->getNumElements(); ++i) {
+      MemoryLeaf member = leaf;
+      if (structure->getNumElements() > 1) member.path += "_" + std::to_string(i);
+      member.byte_offset += layout.getStructLayout(structure)->getElementOffset(i);
+      collect_leaves(layout, structure->getElementType(i), member, leaves);
+    }
+  } else {
+    leaf.bytes = layout.getTypeStoreSize(type);
+    leaves.push_back(leaf);
+  }
+}
+
+/// Arrays at two levels with a struct between them, where one byte offset may name several leaves.
+bool is_irregular(Type* type) {
+  while (auto* array = dyn_cast<ArrayType>(type)) type = array->getElementType();
+  auto* structure = dyn_cast<StructType>(type);
+  if (!structure) return false;
+  return any_of(structure->elements(), [](Type* element) {
+    return isa<ArrayType>(element) || is_irregular(element) ||
+           (isa<StructType>(element) && is_irregular(element));
+  });
+}
+
+Type* object_type(Value* object) {
+  if (auto* alloca = dyn_cast<AllocaInst>(object)) return alloca->getAllocatedType();
+  if (auto* global = dyn_cast<GlobalVariable>(object)) return global->getValueType();
+  return nullptr;
+}
+
+class SubscriptSeparator {
+ public:
+  SubscriptSeparator(Value* object, Type* type, const DataLayout& layout)
+      : object_(object), layout_(layout), leaves_(memory_leaves(layout, type)) {}
+
+  void run() { follow(object_, {}); }
+
+ private:
+  /// A byte offset as a constant plus scaled values.
+  struct Offset {
+    int64_t constant = 0;
+    std::vector<std::pair<Value*, int64_t>> terms;   ///< value * bytes
+    std::vector<std::pair<int64_t, int64_t>> steps;  ///< constant subscript * bytes
+  };
+
+  void follow(Value* pointer, const Offset& offset) {
+    SmallVector<User*, 16> users(pointer->users());
+    std::sort(users.begin(), users.end());
+    users.erase(std::unique(users.begin(), users.end()), users.end());
+    for (User* user : users) {
+      auto* instruction = dyn_cast<Instruction>(user);
+      if (!instruction) {
+        follow_constant(user, offset);
+      } else if (auto* gep = dyn_cast<GetElementPtrInst>(instruction)) {
+        follow(gep, extended(offset, *cast<GEPOperator>(gep)));
+      } else if (isa<LoadInst>(instruction) || isa<StoreInst>(instruction)) {
+        rewrite(*instruction, pointer, offset);
+      } else if (!isa<DbgInfoIntrinsic>(instruction) && !instruction->isLifetimeStartOrEnd()) {
+        throw CompileError(nearest_location(*instruction),
+                           "a pointer into '" + object_->getName().str() +
+                               "', which is partitioned or holds arrays in structs, is used here as a value; "
+                               "use subscripts of the array itself");
+      }
+    }
+  }
+
+  void follow_constant(User* user, const Offset& offset) {
+    if (auto* gep = dyn_cast<GEPOperator>(user)) follow(user, extended(offset, *gep));
+  }
+
+  Offset extended(Offset offset, const GEPOperator& gep) {
+    for (auto type = gep_type_begin(gep); type != gep_type_end(gep); ++type) {
+      Value* index = type.getOperand();
+      if (StructType* structure = type.getStructTypeOrNull()) {
+        offset.constant +=
+            layout_.getStructLayout(structure)->getElementOffset(cast<ConstantInt>(index)->getZExtValue());
+        continue;
+      }
+      int64_t stride = layout_.getTypeAllocSize(type.getIndexedType());
+      if (auto* constant = dyn_cast<ConstantInt>(index))
+        offset.steps.push_back({constant->getSExtValue(), stride});
+      else
+        offset.terms.push_back({index, stride});
+    }
+    return offset;
+  }
+
+  /// The leaf an access falls in: the one whose dimensions have the strides of all variable subscripts and
+  /// whose offset matches.
+  const MemoryLeaf* leaf_of(Offset& offset, std::vector<int64_t>& constants) {
+    for (const MemoryLeaf& leaf : leaves_) {
+      constants.assign(leaf.dims.size(), 0);
+      int64_t member = offset.constant;
+      bool fits = true;
+      for (auto [step, stride] : offset.steps) {
+        auto place = find(leaf.strides, static_cast<uint64_t>(stride));
+        if (place != leaf.strides.end())
+          constants[place - leaf.strides.begin()] += step;
+        else if (step != 0)
+          member += step * stride;  // An i8 address: LLVM or our own lowering made it.
+      }
+      for (auto [value, stride] : offset.terms)
+        fits &= is_contained(leaf.strides, static_cast<uint64_t>(stride));
+      if (!fits) continue;
+      // What is left of a byte address may hold whole constant subscripts.
+      int64_t rest = member - static_cast<int64_t>(leaf.byte_offset);
+      for (size_t d = 0; d < leaf.dims.size() && rest >= 0; ++d) {
+        int64_t stride = leaf.strides[d];
+        constants[d] += rest / stride;
+        rest %= stride;
+      }
+      if (rest == 0) return &leaf;
+    }
+    return nullptr;
+  }
+
+  void rewrite(Instruction& access, Value* pointer, Offset offset) {
+    std::vector<int64_t> constants;
+    const MemoryLeaf* leaf = leaf_of(offset, constants);
+    if (!leaf)
+      throw CompileError(nearest_location(access), "cannot tell which member of '" +
+                                                       object_->getName().str() +
+                                                       "' is meant here; use plain subscripts");
+    IRBuilder<> builder(&access);
+    std::vector<Value*> arguments = {object_, builder.getInt64(leaf->byte_offset)};
+    for (size_t d = 0; d < leaf->dims.size(); ++d) {
+      Value* index = builder.getInt64(constants[d]);
+      for (auto [value, stride] : offset.terms)
+        if (static_cast<uint64_t>(stride) == leaf->strides[d])
+          index = builder.CreateNSWAdd(builder.CreateSExtOrTrunc(value, builder.getInt64Ty()), index);
+      arguments.push_back(index);
+    }
+    std::vector<Type*> types = {builder.getPtrTy()};
+    types.resize(arguments.size(), builder.getInt64Ty());
+    FunctionCallee callee =
+        access.getModule()->getOrInsertFunction(kElementPrefix + std::to_string(leaf->dims.size()),
+                                                FunctionType::get(builder.getPtrTy(), types, false));
+    auto* function = cast<Function>(callee.getCallee());
+    function->setDoesNotAccessMemory();
+    function->setDoesNotThrow();
+    function->addFnAttr(Attribute::WillReturn);
+    function->addFnAttr(Attribute::Speculatable);
+    access.replaceUsesOfWith(pointer, builder.CreateCall(callee, arguments));
+  }
+
+  Value* object_;
+  const DataLayout& layout_;
+  std::vector<MemoryLeaf> leaves_;
+};
+
+bool wants_separation(Value* object, Type* type, const DirectiveTable& directives) {
+  return is_irregular(type) || !directives.of(object, "ARRAY_PARTITION").empty();
+}
+
+std::vector<Value*> objects_of(Module& module) {
+  std::vector<Value*> objects;
+  for (GlobalVariable& global : module.globals()) objects.push_back(&global);
+  for (Function& function : module)
+    for (Instruction& instruction : instructions(function))
+      if (isa<AllocaInst>(instruction)) objects.push_back(&instruction);
+  return objects;
+}
+
+}  // namespace
+
+std::vector<MemoryLeaf> memory_leaves(const DataLayout& layout, Type* type) {
+  std::vector<MemoryLeaf> leaves;
+  collect_leaves(layout, type, {}, leaves);
+  return leaves;
+}
+
+bool is_element_address(const Value* value) {
+  auto* call = dyn_cast<CallInst>(value);
+  return call && call->getCalledFunction() &&
+         call->getCalledFunction()->getName().starts_with(kElementPrefix);
+}
+
+void separate_subscripts(Module& module, const DirectiveTable& directives) {
+  for (Value* object : objects_of(module))
+    if (Type* type = object_type(object);
+        type && type->isAggregateType() && wants_separation(object, type, directives))
+      SubscriptSeparator(object, type, module.getDataLayout()).run();
+}
+
+void dissolve_constant_subscripts(Module& module) {
+  for (Value* object : objects_of(module)) {
+    if (!isa<AllocaInst>(object)) continue;
+    std::vector<CallInst*> calls;
+    bool constant = true;
+    for (User* user : object->users()) {
+      if (!is_element_address(user)) continue;
+      calls.push_back(cast<CallInst>(user));
+      for (unsigned i = 2; i < calls.back()->arg_size(); ++i)
+        constant &= isa<ConstantInt>(calls.back()->getArgOperand(i));
+    }
+    if (!constant) continue;
+    std::vector<MemoryLeaf> leaves = memory_leaves(module.getDataLayout(), object_type(object));
+    for (CallInst* call : calls) {
+      uint64_t offset = cast<ConstantInt>(call->getArgOperand(1))->getZExtValue();
+      auto leaf = find_if(leaves, [&](const MemoryLeaf& one) { return one.byte_offset == offset; });
+      for (unsigned d = 0; d + 2 < call->arg_size(); ++d)
+        offset += leaf->strides[d] * cast<ConstantInt>(call->getArgOperand(d + 2))->getSExtValue();
+      IRBuilder<> builder(call);
+      call->replaceAllUsesWith(builder.CreateConstInBoundsGEP1_64(builder.getInt8Ty(), object, offset));
+      call->eraseFromParent();
+    }
+  }
+}
+
+}  // namespace hlsc

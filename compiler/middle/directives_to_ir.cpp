@@ -1,0 +1,192 @@
+#include "middle/directives_to_ir.h"
+
+#include <set>
+
+#include "frontend/pragma_handler.h"
+#include "middle/llvm_headers.h"
+#include "middle/source_location.h"
+
+namespace hlsc {
+namespace {
+
+using namespace llvm;
+
+constexpr const char* kLoopTag = "hls.directive";
+
+/// Directives on a loop or a function; the others need a variable or a port.
+const std::set<std::string> kRegionKinds = {
+    "PIPELINE", "UNROLL",  "DATAFLOW",   "LOOP_TRIPCOUNT", "LOOP_FLATTEN",       "DEPENDENCE",
+    "INLINE",   "LATENCY", "LOOP_MERGE", "ALLOCATION",     "EXPRESSION_BALANCE", "PROTOCOL"};
+const std::set<std::string> kObjectKinds = {
+    "ARRAY_PARTITION", "ARRAY_RESHAPE", "BIND_STORAGE", "RESOURCE",  "STREAM",    "DEPENDENCE",
+    "AGGREGATE",       "DISAGGREGATE",  "BIND_OP",      "DATA_PACK", "ARRAY_MAP", "FUNCTION_INSTANTIATE",
+    "STABLE",          "RESET",         "SHARED"};
+
+struct Marker {
+  CallInst* call;
+  Directive directive;
+  std::string variable_name;
+  Value* variable;  ///< Null without one.
+};
+
+std::string string_argument(const CallInst& call, unsigned index) {
+  StringRef text;
+  if (!getConstantStringInfo(call.getArgOperand(index), text)) return "";
+  return text.str();
+}
+
+Marker read_marker(CallInst& call) {
+  Marker marker{&call, parse_directive(string_argument(call, 0)), string_argument(call, 1),
+                call.getArgOperand(2)};
+  if (isa<ConstantPointerNull>(marker.variable)) marker.variable = nullptr;
+  for (auto& [key, value] : marker.directive.options) {
+    if (value.empty() || value[0] != '$') continue;
+    auto* number = dyn_cast<ConstantInt>(call.getArgOperand(3 + std::stoul(value.substr(1))));
+    if (!number)
+      throw CompileError(
+          location_of(call),
+          "'" + key +
+              "' of the pragma must be a constant; give a literal, a constexpr or a template parameter");
+    value = std::to_string(number->getSExtValue());
+  }
+  return marker;
+}
+
+std::vector<Marker> markers_of(Function& function) {
+  std::vector<Marker> markers;
+  for (Instruction& instruction : instructions(function))
+    if (auto* call = dyn_cast<CallInst>(&instruction))
+      if (call->getCalledFunction() && call->getCalledFunction()->getName() == kPragmaMarker)
+        markers.push_back(read_marker(*call));
+  return markers;
+}
+
+MDNode* string_node(LLVMContext& context, ArrayRef<std::string> words) {
+  SmallVector<Metadata*, 4> parts;
+  for (const std::string& word : words) parts.push_back(MDString::get(context, word));
+  return MDNode::get(context, parts);
+}
+
+void add_loop_metadata(Loop& loop, ArrayRef<Metadata*> extra) {
+  LLVMContext& context = loop.getHeader()->getContext();
+  SmallVector<Metadata*, 8> parts = {nullptr};
+  if (MDNode* old = loop.getLoopID()) parts.append(old->op_begin() + 1, old->op_end());
+  parts.append(extra.begin(), extra.end());
+  MDNode* id = MDNode::getDistinct(context, parts);
+  id->replaceOperandWith(0, id);
+  loop.setLoopID(id);
+}
+
+MDNode* unroll_node(LLVMContext& context, const Directive& directive) {
+  long factor = directive.integer("factor", 0);
+  if (factor == 0) return string_node(context, {"llvm.loop.unroll.full"});
+  if (factor == 1) return string_node(context, {"llvm.loop.unroll.disable"});
+  Metadata* count = ConstantAsMetadata::get(ConstantInt::get(Type::getInt32Ty(context), factor));
+  return MDNode::get(context, {MDString::get(context, "llvm.loop.unroll.count"), count});
+}
+
+void attach_to_loop(Loop& loop, const Directive& directive) {
+  LLVMContext& context = loop.getHeader()->getContext();
+  SmallVector<Metadata*, 2> nodes = {string_node(context, {kLoopTag, to_text(directive)})};
+  if (directive.kind == "UNROLL") nodes.push_back(unroll_node(context, directive));
+  add_loop_metadata(loop, nodes);
+  bool unrolls_inside = directive.kind == "PIPELINE" && !directive.has("off");
+  if (!unrolls_inside) return;
+  for (Loop* inner : loop.getLoopsInPreorder())
+    if (inner != &loop && !loop_directive(*inner, "UNROLL"))
+      attach_to_loop(*inner, parse_directive("UNROLL"));
+}
+
+void attach_to_function(Function& function, LoopInfo& loops, const Directive& directive) {
+  std::string name = "hls-" + StringRef(directive.kind).lower();
+  function.addFnAttr(name, to_text(directive));
+  if (directive.kind != "PIPELINE" || directive.has("off")) return;
+  for (Loop* loop : loops.getLoopsInPreorder())
+    if (!loop_directive(*loop, "UNROLL")) attach_to_loop(*loop, parse_directive("UNROLL"));
+}
+
+/// The alloca, global or argument that a pointer is derived from.
+Value* object_of(Value* pointer) {
+  Value* object = getUnderlyingObject(pointer, 0);
+  if (auto* load = dyn_cast<LoadInst>(object)) {  // A reference kept in memory.
+    for (User* user : load->getPointerOperand()->users())
+      if (auto* store = dyn_cast<StoreInst>(user);
+          store && store->getPointerOperand() == load->getPointerOperand())
+        return object_of(store->getValueOperand());
+  }
+  return object;
+}
+
+}  // namespace
+
+std::vector<Directive> DirectiveTable::of(const Value* object, const std::string& kind) const {
+  std::vector<Directive> found;
+  for (const ObjectDirective& entry : objects)
+    if (entry.object == object && entry.directive.kind == kind) found.push_back(entry.directive);
+  return found;
+}
+
+void resolve_loop_directives(Module& module, DirectiveTable& table, Diagnostics& diagnostics) {
+  for (Function& function : module) {
+    if (function.isDeclaration()) continue;
+    DominatorTree dominators(function);
+    LoopInfo loops(dominators);
+    for (Marker& marker : markers_of(function)) {
+      const std::string& kind = marker.directive.kind;
+      SourceLocation where = location_of(*marker.call);
+      if (kind == "INTERFACE") {
+        table.ports[function.getName().str()].push_back(
+            {marker.variable_name.empty() && marker.directive.has("port") ? "return" : marker.variable_name,
+             marker.directive, where});
+        marker.call->eraseFromParent();
+        continue;
+      }
+      if (marker.variable) {
+        if (kObjectKinds.count(kind)) continue;
+        diagnostics.warn(where, "pragma '" + kind + "' is not known and has no effect");
+      } else if (kRegionKinds.count(kind)) {
+        if (Loop* loop = loops.getLoopFor(marker.call->getParent()))
+          attach_to_loop(*loop, marker.directive);
+        else
+          attach_to_function(function, loops, marker.directive);
+      } else {
+        diagnostics.warn(where, kObjectKinds.count(kind)
+                                    ? "pragma '" + kind + "' needs variable=NAME and has no effect without it"
+                                    : "pragma '" + kind + "' is not known and has no effect");
+      }
+      marker.call->eraseFromParent();
+    }
+  }
+}
+
+void resolve_object_directives(Module& module, DirectiveTable& table, Diagnostics&) {
+  for (Function& function : module) {
+    for (Marker& marker : markers_of(function)) {
+      table.objects.push_back({object_of(marker.variable), marker.directive, location_of(*marker.call)});
+      marker.call->eraseFromParent();
+    }
+  }
+}
+
+std::optional<Directive> loop_directive(const Loop& loop, const std::string& kind) {
+  MDNode* id = loop.getLoopID();
+  if (!id) return std::nullopt;
+  std::optional<Directive> found;
+  for (const MDOperand& operand : drop_begin(id->operands())) {
+    auto* node = dyn_cast<MDNode>(operand);
+    if (!node || node->getNumOperands() != 2) continue;
+    auto* tag = dyn_cast<MDString>(node->getOperand(0));
+    if (!tag || tag->getString() != kLoopTag) continue;
+    Directive directive = parse_directive(cast<MDString>(node->getOperand(1))->getString().str());
+    if (directive.kind == kind) found = directive;
+  }
+  return found;
+}
+
+std::optional<Directive> function_directive(const Function& function, const std::string& kind) {
+  Attribute attribute = function.getFnAttribute("hls-" + StringRef(kind).lower());
+  if (!attribute.isValid()) return std::nullopt;
+  return parse_directive(attribute.getValueAsString().str());
+}
+
+}  // namespace hlsc

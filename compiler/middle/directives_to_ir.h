@@ -1,0 +1,62 @@
+/// Resolves the pragma markers in LLVM IR: to loop metadata, function attributes, and a table of object
+/// directives.
+#ifndef HLSC_MIDDLE_DIRECTIVES_TO_IR_H
+#define HLSC_MIDDLE_DIRECTIVES_TO_IR_H
+
+#include <llvm/IR/ValueHandle.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "frontend/diagnostic.h"
+#include "frontend/directive.h"
+
+namespace llvm {
+class BasicBlock;
+class Function;
+class Loop;
+class Module;
+}  // namespace llvm
+
+namespace hlsc {
+
+/// A directive on an array or stream (alloca, global or pointer argument).
+struct ObjectDirective {
+  llvm::WeakTrackingVH object;
+  Directive directive;
+  SourceLocation location;
+};
+
+/// A directive on a port of a function.
+struct PortDirective {
+  std::string port;  ///< Parameter name, "return", or empty.
+  Directive directive;
+  SourceLocation location;
+};
+
+struct DirectiveTable {
+  std::vector<ObjectDirective> objects;
+  std::map<std::string, std::vector<PortDirective>> ports;  ///< By mangled function name.
+
+  /// Directives of one kind on an object, in source order.
+  std::vector<Directive> of(const llvm::Value* object, const std::string& kind) const;
+};
+
+/// Removes all markers without a variable (to loop metadata and function attributes) and those of INTERFACE.
+/// Unknown pragmas become warnings. Runs on unoptimised IR, before inlining.
+void resolve_loop_directives(llvm::Module& module, DirectiveTable& table, Diagnostics& diagnostics);
+
+/// Removes the markers with a variable. Runs after inlining, when each names the object itself.
+void resolve_object_directives(llvm::Module& module, DirectiveTable& table, Diagnostics& diagnostics);
+
+/// The directive of `kind` on a loop, if there is one.
+std::optional<Directive> loop_directive(const llvm::Loop& loop, const std::string& kind);
+
+/// The directive of `kind` in whose body the function's own code stands (not in a loop).
+std::optional<Directive> function_directive(const llvm::Function& function, const std::string& kind);
+
+}  // namespace hlsc
+
+#endif

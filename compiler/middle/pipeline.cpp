@@ -1,0 +1,247 @@
+#include "middle/pipeline.h"
+
+#include <llvm/ADT/SCCIterator.h>
+#include <llvm/Analysis/CallGraph.h>
+#include <llvm/IR/Verifier.h>
+#include <llvm/Transforms/AggressiveInstCombine/AggressiveInstCombine.h>
+#include <llvm/Transforms/IPO/AlwaysInliner.h>
+#include <llvm/Transforms/IPO/GlobalDCE.h>
+#include <llvm/Transforms/IPO/GlobalOpt.h>
+#include <llvm/Transforms/IPO/Internalize.h>
+#include <llvm/Transforms/InstCombine/InstCombine.h>
+#include <llvm/Transforms/Scalar/ADCE.h>
+#include <llvm/Transforms/Scalar/BDCE.h>
+#include <llvm/Transforms/Scalar/CorrelatedValuePropagation.h>
+#include <llvm/Transforms/Scalar/DeadStoreElimination.h>
+#include <llvm/Transforms/Scalar/EarlyCSE.h>
+#include <llvm/Transforms/Scalar/GVN.h>
+#include <llvm/Transforms/Scalar/IndVarSimplify.h>
+#include <llvm/Transforms/Scalar/LICM.h>
+#include <llvm/Transforms/Scalar/LoopDeletion.h>
+#include <llvm/Transforms/Scalar/LoopPassManager.h>
+#include <llvm/Transforms/Scalar/LoopRotation.h>
+#include <llvm/Transforms/Scalar/LoopUnrollPass.h>
+#include <llvm/Transforms/Scalar/SCCP.h>
+#include <llvm/Transforms/Scalar/SROA.h>
+#include <llvm/Transforms/Scalar/SimplifyCFG.h>
+#include <llvm/Transforms/Utils/LCSSA.h>
+#include <llvm/Transforms/Utils/LoopSimplify.h>
+
+#include "middle/array_access.h"
+#include "middle/if_convert.h"
+#include "middle/llvm_headers.h"
+#include "middle/memory_copies.h"
+#include "middle/source_location.h"
+#include "middle/stream_lowering.h"
+
+namespace hlsc {
+namespace {
+
+using namespace llvm;
+
+class Optimizer {
+ public:
+  explicit Optimizer(Module& module) : module_(module) {
+    builder_.registerModuleAnalyses(module_analyses_);
+    builder_.registerCGSCCAnalyses(cgscc_analyses_);
+    builder_.registerFunctionAnalyses(function_analyses_);
+    builder_.registerLoopAnalyses(loop_analyses_);
+    builder_.crossRegisterProxies(loop_analyses_, function_analyses_, cgscc_analyses_, module_analyses_);
+  }
+
+  void inline_all() {
+    ModulePassManager passes;
+    passes.addPass(AlwaysInlinerPass(/*InsertLifetime=*/false));
+    passes.addPass(GlobalDCEPass());
+    passes.run(module_, module_analyses_);
+  }
+
+  /// Locals to SSA values; keeps the addresses of arrays as Clang wrote them.
+  void promote_locals() {
+    FunctionPassManager passes;
+    passes.addPass(SROAPass(SROAOptions::PreserveCFG));
+    passes.addPass(EarlyCSEPass());
+    run(std::move(passes));
+  }
+
+  void optimize() {
+    ModulePassManager globals;
+    globals.addPass(GlobalOptPass());
+    globals.run(module_, module_analyses_);
+    FunctionPassManager passes;
+    simplify(passes);
+    passes.addPass(createFunctionToLoopPassAdaptor(LoopRotatePass(/*EnableHeaderDuplication=*/true)));
+    add_licm(passes);
+    passes.addPass(createFunctionToLoopPassAdaptor(IndVarSimplifyPass(/*WidenIndVars=*/false)));
+    passes.addPass(createFunctionToLoopPassAdaptor(LoopDeletionPass()));
+    passes.addPass(LoopUnrollPass(LoopUnrollOptions(/*OptLevel=*/2, /*OnlyWhenForced=*/true)));
+    simplify(passes);
+    run(std::move(passes));
+    dissolve_constant_subscripts(module_);
+    FunctionPassManager late;
+    simplify(late);
+    late.addPass(GVNPass());
+    late.addPass(CorrelatedValuePropagationPass());
+    late.addPass(DSEPass());
+    late.addPass(BDCEPass());
+    simplify(late);
+    late.addPass(createFunctionToLoopPassAdaptor(LoopRotatePass(true)));
+    add_licm(late);
+    late.addPass(createFunctionToLoopPassAdaptor(IndVarSimplifyPass(false)));
+    late.addPass(ADCEPass());
+    late.addPass(SimplifyCFGPass(cfg_options().sinkCommonInsts(true).hoistCommonInsts(true)));
+    late.addPass(InstCombinePass());
+    late.addPass(LoopSimplifyPass());
+    late.addPass(LCSSAPass());
+    run(std::move(late));
+  }
+
+  /// After if-conversion: merge predicates and drop what became equal. Must not touch the control flow.
+  void clean_flat_code() {
+    FunctionPassManager passes;
+    passes.addPass(EarlyCSEPass());
+    passes.addPass(InstCombinePass());
+    passes.addPass(EarlyCSEPass());
+    passes.addPass(BDCEPass());
+    passes.addPass(ADCEPass());
+    run(std::move(passes));
+  }
+
+  FunctionAnalysisManager& functions() { return function_analyses_; }
+
+ private:
+  static SimplifyCFGOptions cfg_options() {
+    return SimplifyCFGOptions()
+        .forwardSwitchCondToPhi(false)
+        .convertSwitchToLookupTable(false)
+        .convertSwitchRangeToICmp(true)
+        .needCanonicalLoops(true);
+  }
+  void simplify(FunctionPassManager& passes) {
+    passes.addPass(SROAPass(SROAOptions::ModifyCFG));
+    passes.addPass(EarlyCSEPass(/*UseMemorySSA=*/true));
+    passes.addPass(SimplifyCFGPass(cfg_options()));
+    passes.addPass(InstCombinePass());
+    passes.addPass(SCCPPass());
+    passes.addPass(SimplifyCFGPass(cfg_options()));
+    passes.addPass(InstCombinePass());
+  }
+  static void add_licm(FunctionPassManager& passes) {
+    passes.addPass(createFunctionToLoopPassAdaptor(LICMPass(LICMOptions()), /*UseMemorySSA=*/true));
+  }
+  void run(FunctionPassManager passes) {
+    ModulePassManager all;
+    all.addPass(createModuleToFunctionPassAdaptor(std::move(passes)));
+    all.run(module_, module_analyses_);
+  }
+
+  Module& module_;
+  LoopAnalysisManager loop_analyses_;
+  FunctionAnalysisManager function_analyses_;
+  CGSCCAnalysisManager cgscc_analyses_;
+  ModuleAnalysisManager module_analyses_;
+  PassBuilder builder_;
+};
+
+/// Functions called directly in the body of a DATAFLOW function, in order of their calls.
+std::vector<std::string> find_processes(const Program& program) {
+  std::vector<std::string> processes;
+  Function* top = program.module->getFunction(program.top);
+  if (function_directive(*top, "DATAFLOW")) {
+    for (Instruction& instruction : instructions(*top)) {
+      auto* call = dyn_cast<CallInst>(&instruction);
+      Function* callee = call ? call->getCalledFunction() : nullptr;
+      if (!callee || callee->isDeclaration() || !program.functions.count(callee->getName().str())) continue;
+      if (!is_contained(processes, callee->getName().str())) processes.push_back(callee->getName().str());
+    }
+  }
+  processes.push_back(program.top);
+  return processes;
+}
+
+void refuse_recursion(Module& module) {
+  CallGraph graph(module);
+  for (auto scc = scc_begin(&graph); !scc.isAtEnd(); ++scc) {
+    if (!scc.hasCycle()) continue;
+    for (CallGraphNode* node : *scc) {
+      Function* function = node->getFunction();
+      if (!function || function->isDeclaration()) continue;
+      SourceLocation where;
+      if (DISubprogram* program = function->getSubprogram())
+        where = {program->getFilename().str(), program->getLine(), 0};
+      throw CompileError(
+          where, "function '" + function->getName().str() +
+                     "' calls itself; hardware has no call stack, write a loop with an explicit stack array");
+    }
+  }
+}
+
+void mark_for_inlining(Module& module, const std::vector<std::string>& processes) {
+  for (Function& function : module) {
+    if (function.isDeclaration()) continue;
+    function.removeFnAttr(Attribute::NoInline);
+    function.removeFnAttr(Attribute::OptimizeNone);
+    bool is_process = is_contained(processes, function.getName().str());
+    function.addFnAttr(is_process ? Attribute::NoInline : Attribute::AlwaysInline);
+    if (!is_process && !function.hasLocalLinkage()) function.setLinkage(GlobalValue::InternalLinkage);
+    function.setComdat(nullptr);
+    if (is_process) function.setLinkage(GlobalValue::ExternalLinkage);
+  }
+  for (GlobalVariable& global : module.globals())
+    if (!global.isDeclaration()) {
+      global.setComdat(nullptr);
+      global.setLinkage(GlobalValue::InternalLinkage);
+    }
+}
+
+/// Innermost loops that run as pipelines: all but those with `PIPELINE off`.
+bool is_pipelined(const Loop& loop) {
+  std::optional<Directive> directive = loop_directive(loop, "PIPELINE");
+  return loop.isInnermost() && !(directive && directive->has("off"));
+}
+
+void convert_loops(Function& function, Optimizer& optimizer) {
+  std::set<BasicBlock*> done;
+  while (true) {
+    optimizer.functions().clear();
+    DominatorTree dominators(function);
+    LoopInfo loops(dominators);
+    Loop* next = nullptr;
+    for (Loop* loop : loops.getLoopsInPreorder())
+      if (is_pipelined(*loop) && loop->getNumBlocks() > 1) next = loop;
+    if (!next) return;
+    if (!next->isLoopSimplifyForm())
+      throw CompileError(nearest_location(*next->getHeader()->begin()),
+                         "this loop has an irregular shape (goto into it?); write it as for, while or do");
+    if_convert(*next, loops, dominators);
+  }
+}
+
+}  // namespace
+
+MiddleResult run_middle(Program& program, Diagnostics& diagnostics) {
+  Module& module = *program.module;
+  MiddleResult result;
+  resolve_loop_directives(module, result.directives, diagnostics);
+  expand_memory_copies(module);
+  lower_streams(module, program.stream_types);
+  result.processes = find_processes(program);
+  refuse_recursion(module);
+  mark_for_inlining(module, result.processes);
+
+  Optimizer optimizer(module);
+  optimizer.inline_all();
+  optimizer.promote_locals();
+  resolve_object_directives(module, result.directives, diagnostics);
+  optimizer.promote_locals();
+  separate_subscripts(module, result.directives);
+  optimizer.optimize();
+  for (const std::string& name : result.processes) convert_loops(*module.getFunction(name), optimizer);
+  optimizer.functions().clear();
+  optimizer.clean_flat_code();
+  if (verifyModule(module, &errs()))
+    throw CompileError("internal: the middle produced invalid IR; please report this program");
+  return result;
+}
+
+}  // namespace hlsc

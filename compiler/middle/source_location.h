@@ -1,0 +1,32 @@
+/// Where an LLVM instruction comes from in the user's source.
+#ifndef HLSC_MIDDLE_SOURCE_LOCATION_H
+#define HLSC_MIDDLE_SOURCE_LOCATION_H
+
+#include <llvm/IR/DebugInfoMetadata.h>
+#include <llvm/IR/Instruction.h>
+
+#include "frontend/diagnostic.h"
+
+namespace hlsc {
+
+inline SourceLocation location_of(const llvm::DebugLoc& debug) {
+  if (!debug) return {};
+  return {debug->getFilename().str(), debug.getLine(), debug.getCol()};
+}
+inline SourceLocation location_of(const llvm::Instruction& instruction) {
+  return location_of(instruction.getDebugLoc());
+}
+
+/// The instruction's place, or the nearest known one in its block or function.
+inline SourceLocation nearest_location(const llvm::Instruction& instruction) {
+  if (instruction.getDebugLoc()) return location_of(instruction);
+  for (const llvm::Instruction& other : *instruction.getParent())
+    if (other.getDebugLoc()) return location_of(other);
+  if (const llvm::DISubprogram* function = instruction.getFunction()->getSubprogram())
+    return {function->getFilename().str(), function->getLine(), 0};
+  return {};
+}
+
+}  // namespace hlsc
+
+#endif

@@ -1,0 +1,74 @@
+#include "schedule/delay_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hlsc {
+namespace {
+
+const Target kTargets[] = {
+    {"xc6v", 0.75, 0.95, 0.030, 3.6, 2.1, 0.8, 1.8, 25, 18},
+    {"xc7", 0.65, 0.85, 0.025, 3.2, 2.1, 0.7, 1.6, 25, 18},
+    {"ecp5", 0.95, 1.30, 0.060, 4.0, 4.2, 0.9, 2.2, 18, 18},
+};
+
+double adder(const Target& target, unsigned bits) { return target.carry_base + target.carry_bit * bits; }
+
+double multiplier(const Target& target, unsigned a, unsigned b) {
+  unsigned wide = std::max(a, b), narrow = std::min(a, b);
+  unsigned blocks = ((wide + target.multiplier_wide - 1) / target.multiplier_wide) *
+                    ((narrow + target.multiplier_narrow - 1) / target.multiplier_narrow);
+  return target.multiply + (blocks > 1 ? std::ceil(std::log2(blocks)) * adder(target, a + b) : 0);
+}
+
+bool is_constant(const Process& process, ValueId id) { return process[id].kind == OpKind::kConstant; }
+
+}  // namespace
+
+const Target& target_named(const std::string& name) {
+  for (const Target& target : kTargets)
+    if (target.name == name) return target;
+  throw CompileError("target '" + name + "' is not known; choose xc6v, xc7 or ecp5");
+}
+
+double delay_of(const Target& target, const Process& process, const Operation& operation) {
+  auto bits = [&](size_t i) { return process[operation.operands[i]].bits; };
+  switch (operation.kind) {
+    case OpKind::kAdd:
+    case OpKind::kSub:
+      return adder(target, operation.bits);
+    case OpKind::kMul:
+      return multiplier(target, bits(0), bits(1));
+    case OpKind::kUDiv:
+    case OpKind::kSDiv:
+    case OpKind::kURem:
+    case OpKind::kSRem:
+      return operation.type_width * (adder(target, operation.type_width) + target.logic);
+    case OpKind::kAnd:
+    case OpKind::kOr:
+    case OpKind::kXor:
+      return target.logic * 0.6;
+    case OpKind::kShl:
+    case OpKind::kLShr:
+    case OpKind::kAShr:
+      return is_constant(process, operation.operands[1])
+                 ? 0
+                 : target.logic * std::max(1.0, std::ceil(std::log2(operation.bits) / 2));
+    case OpKind::kCompare: {
+      unsigned width = std::max(bits(0), bits(1));
+      bool is_equality = operation.compare == CompareKind::kEq || operation.compare == CompareKind::kNe;
+      if (is_equality && width <= 12) return target.logic * (width <= 3 ? 1 : 1.5);
+      return width <= 3 ? target.logic : adder(target, width);
+    }
+    case OpKind::kSelect:
+      return target.logic * 0.8;
+    case OpKind::kLoad: {
+      double levels = std::max(1.0, std::ceil(std::log2(process.memories[operation.object].depth + 1.0) / 2));
+      return is_constant(process, operation.operands[0]) ? 0 : target.logic * levels;
+    }
+    default:
+      return 0;
+  }
+}
+
+}  // namespace hlsc

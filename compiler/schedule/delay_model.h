@@ -1,0 +1,32 @@
+/// Operator delays by target family: the only place that knows nanoseconds.
+#ifndef HLSC_SCHEDULE_DELAY_MODEL_H
+#define HLSC_SCHEDULE_DELAY_MODEL_H
+
+#include <string>
+
+#include "design/design.h"
+
+namespace hlsc {
+
+/// A target family: delays of a LUT with its routing, of a carry bit, of a multiplier block and of memory.
+struct Target {
+  std::string name;
+  double logic;       ///< One LUT level and routing, ns.
+  double carry_base;  ///< An adder without its carry chain, ns.
+  double carry_bit;   ///< Per bit of the carry chain, ns.
+  double multiply;    ///< One multiplier block, ns.
+  double memory;      ///< Clock to output of a block RAM with routing, ns.
+  double registers;   ///< Clock to output of a register with routing, ns.
+  double stall;       ///< From a predicate through the stall logic to a clock enable, ns.
+  unsigned multiplier_wide, multiplier_narrow;  ///< Signed operand widths of a multiplier block.
+};
+
+/// xc6v (Virtex-6), xc7 (7-series) or ecp5; throws CompileError for another name.
+const Target& target_named(const std::string& name);
+
+/// Delay from the operands of `operation` to its result, ns.
+double delay_of(const Target& target, const Process& process, const Operation& operation);
+
+}  // namespace hlsc
+
+#endif

@@ -1,0 +1,171 @@
+#include <algorithm>
+#include <map>
+
+#include "schedule/problem.h"
+
+namespace hlsc {
+namespace {
+
+constexpr double kSlack = 1e-6;
+
+/// Places operations as soon as possible in their given order, then moves targets of violated carried
+/// dependences later and repeats: the least fixed point of the difference constraints, with chaining and
+/// resources kept exact in every round.
+class AsapSolver {
+ public:
+  AsapSolver(const ScheduleProblem& problem, Schedule& schedule, ScheduleFailure& failure)
+      : problem_(problem),
+        schedule_(schedule),
+        failure_(failure),
+        incoming_(problem.operations.size()),
+        not_before_(problem.operations.size(), 0) {
+    for (size_t i = 0; i < problem.dependences.size(); ++i)
+      if (problem.dependences[i].distance == 0) incoming_[problem.dependences[i].to].push_back(i);
+  }
+
+  bool run() {
+    size_t count = problem_.operations.size();
+    // A recurrence that fits needs each operation moved at most once per dependence; more means it does not
+    // fit.
+    int horizon = 4 * static_cast<int>(count) + 64;
+    while (true) {
+      if (!place_all(horizon)) return false;
+      int violated = push_carried_targets();
+      if (violated < 0) return true;
+      if (not_before_[problem_.dependences[violated].to] > horizon) {
+        failure_.dependence = violated;
+        return false;
+      }
+    }
+  }
+
+ private:
+  bool place_all(int horizon) {
+    size_t count = problem_.operations.size();
+    schedule_.cycle.assign(count, 0);
+    schedule_.begin.assign(count, 0);
+    schedule_.end.assign(count, 0);
+    used_.assign(problem_.limits.size(), {});
+    for (size_t op = 0; op < count; ++op)
+      if (!place(op, horizon)) return false;
+    return true;
+  }
+
+  bool place(int op, int horizon) {
+    const ScheduleOperation& operation = problem_.operations[op];
+    int cycle = not_before_[op];
+    double begin = 0;
+    auto at_least = [&](int c, double t) {
+      if (c > cycle) {
+        cycle = c;
+        begin = t;
+      } else if (c == cycle) {
+        begin = std::max(begin, t);
+      }
+    };
+    for (size_t index : incoming_[op]) {
+      const Dependence& dependence = problem_.dependences[index];
+      int from_cycle = schedule_.cycle[dependence.from];
+      if (dependence.is_data)
+        at_least(from_cycle + problem_.operations[dependence.from].latency, schedule_.end[dependence.from]);
+      else
+        at_least(from_cycle + dependence.min_cycles, 0);
+    }
+    double needed = operation.delay + operation.tail;
+    if (begin > 0 && begin + needed > problem_.period + kSlack) {
+      ++cycle;
+      begin = 0;
+    }
+    for (int tries = 0; !is_free(operation.resource, cycle); ++tries) {
+      if (cycle > horizon || (problem_.ii && tries > problem_.ii)) {
+        failure_.resource = operation.resource;
+        return false;
+      }
+      ++cycle;
+      begin = 0;
+    }
+    occupy(operation.resource, cycle);
+    schedule_.cycle[op] = cycle;
+    schedule_.begin[op] = begin;
+    schedule_.end[op] =
+        operation.latency ? operation.output_delay : std::max(operation.earliest, begin + operation.delay);
+    return true;
+  }
+
+  int slot(int cycle) const { return problem_.ii ? cycle % problem_.ii : cycle; }
+  bool is_free(int resource, int cycle) const {
+    if (resource < 0) return true;
+    auto found = used_[resource].find(slot(cycle));
+    return found == used_[resource].end() || found->second < problem_.limits[resource];
+  }
+  void occupy(int resource, int cycle) {
+    if (resource >= 0) ++used_[resource][slot(cycle)];
+  }
+
+  /// Moves targets of carried dependences that come too early; returns one that was violated, or -1.
+  int push_carried_targets() {
+    int violated = -1;
+    for (size_t i = 0; i < problem_.dependences.size(); ++i) {
+      const Dependence& dependence = problem_.dependences[i];
+      if (dependence.distance == 0) continue;
+      int gap = dependence.is_data ? std::max(1, problem_.operations[dependence.from].latency)
+                                   : dependence.min_cycles;
+      int earliest = schedule_.cycle[dependence.from] + gap - dependence.distance * problem_.ii;
+      if (schedule_.cycle[dependence.to] >= earliest) continue;
+      not_before_[dependence.to] = std::max(not_before_[dependence.to], earliest);
+      violated = i;
+    }
+    return violated;
+  }
+
+  const ScheduleProblem& problem_;
+  Schedule& schedule_;
+  ScheduleFailure& failure_;
+  std::vector<std::vector<size_t>> incoming_;
+  std::vector<int> not_before_;
+  std::vector<std::map<int, int>> used_;
+};
+
+}  // namespace
+
+bool solve(const ScheduleProblem& problem, Schedule& schedule, ScheduleFailure& failure) {
+  return AsapSolver(problem, schedule, failure).run();
+}
+
+std::string verify(const ScheduleProblem& problem, const Schedule& schedule) {
+  for (const Dependence& dependence : problem.dependences) {
+    const ScheduleOperation& from = problem.operations[dependence.from];
+    int start = schedule.cycle[dependence.from],
+        end = schedule.cycle[dependence.to] + dependence.distance * problem.ii;
+    int gap = !dependence.is_data   ? dependence.min_cycles
+              : dependence.distance ? std::max(1, from.latency)
+                                    : from.latency;
+    if (end < start + gap)
+      return "operation " + std::to_string(dependence.to) + " starts before its dependence on " +
+             std::to_string(dependence.from);
+    bool chained = dependence.is_data && dependence.distance == 0 && end == start + from.latency;
+    if (chained && schedule.begin[dependence.to] + kSlack < schedule.end[dependence.from])
+      return "operation " + std::to_string(dependence.to) + " starts before its operand is there";
+  }
+  std::vector<std::map<int, int>> used(problem.limits.size());
+  for (size_t op = 0; op < problem.operations.size(); ++op) {
+    int resource = problem.operations[op].resource;
+    if (resource < 0) continue;
+    int slot = problem.ii ? schedule.cycle[op] % problem.ii : schedule.cycle[op];
+    if (++used[resource][slot] > problem.limits[resource])
+      return "resource " + std::to_string(resource) + " is used more often than it exists";
+  }
+  return "";
+}
+
+int resource_ii(const ScheduleProblem& problem) {
+  std::vector<int> uses(problem.limits.size(), 0);
+  for (const ScheduleOperation& operation : problem.operations)
+    if (operation.resource >= 0) ++uses[operation.resource];
+  int least = 1;
+  for (size_t r = 0; r < uses.size(); ++r)
+    least = std::max(least, (uses[r] + problem.limits[r] - 1) / problem.limits[r]);
+  return least;
+}
+
+}  // namespace hlsc

@@ -1,0 +1,318 @@
+#include "schedule/schedule_process.h"
+
+#include <algorithm>
+#include <map>
+
+#include "schedule/problem.h"
+
+namespace hlsc {
+namespace {
+
+constexpr int kMaxIi = 256;
+
+/// Resources of a process: a read and a write port per memory, one access a cycle per stream.
+class Resources {
+ public:
+  int of(const Process& process, const Operation& op) {
+    if (op.is_stream_access()) return index({0, op.object});
+    if (!op.is_memory_access()) return -1;
+    const Memory& memory = process.memories[op.object];
+    if (memory.kind == MemoryKind::kRegisters ||
+        (memory.kind == MemoryKind::kRom && memory.load_latency == 0))
+      return -1;
+    return index({op.kind == OpKind::kLoad ? 1 : 2, op.object});
+  }
+  int count() const { return indices_.size(); }
+  std::string name(const Process& process, int resource) const {
+    for (const auto& [key, value] : indices_) {
+      if (value != resource) continue;
+      if (key.first == 0) return "stream '" + process.streams[key.second].name + "'";
+      return std::string(key.first == 1 ? "read" : "write") + " port of '" +
+             process.memories[key.second].name + "'";
+    }
+    return "";
+  }
+
+ private:
+  int index(std::pair<int, int> key) { return indices_.emplace(key, indices_.size()).first->second; }
+  std::map<std::pair<int, int>, int> indices_;
+};
+
+class BlockScheduler {
+ public:
+  BlockScheduler(const Process& process, int block, const ScheduleOptions& options)
+      : process_(process), block_(process.blocks[block]), block_id_(block), options_(options) {
+    for (size_t i = 0; i < block_.operations.size(); ++i) node_[block_.operations[i]] = i;
+    build_operations();
+    add_data_dependences();
+    add_memory_dependences();
+    add_stream_dependences();
+    add_exit_dependences();
+    problem_.limits.assign(resources_.count(), 1);
+  }
+
+  void run(ProcessSchedule& result, Diagnostics& diagnostics) {
+    BlockSchedule& summary = result.blocks[block_id_];
+    Schedule schedule;
+    ScheduleFailure failure;
+    if (!block_.is_loop) {
+      if (!solve(problem_, schedule, failure))
+        throw CompileError(block_.location,
+                           "internal: no schedule for straight code; please report this program");
+    } else {
+      int wanted = std::max(1, block_.wanted_ii);
+      problem_.ii = wanted;
+      summary.wanted_ii = wanted;
+      while (!solve(problem_, schedule, failure)) {
+        if (summary.limit.empty()) summary.limit = explain(failure);
+        if (++problem_.ii > kMaxIi)
+          throw CompileError(block_.location, "the loop has no schedule with an II up to " +
+                                                  std::to_string(kMaxIi) + ": " + summary.limit);
+      }
+      summary.ii = problem_.ii;
+      if (block_.wanted_ii && summary.ii > wanted)
+        diagnostics.warn(block_.location, "II = " + std::to_string(wanted) + " is not reached, II is " +
+                                              std::to_string(summary.ii) + ": " + summary.limit);
+    }
+    std::string fault = verify(problem_, schedule);
+    if (!fault.empty())
+      throw CompileError(block_.location,
+                         "internal: wrong schedule (" + fault + "); please report this program");
+    record(schedule, result, summary);
+  }
+
+ private:
+  void build_operations() {
+    for (ValueId id : block_.operations) {
+      const Operation& op = process_[id];
+      ScheduleOperation node;
+      node.resource = resources_.of(process_, op);
+      node.delay = delay_of(options_.target, process_, op);
+      node.earliest = options_.target.registers;
+      if (op.kind == OpKind::kLoad && process_.memories[op.object].load_latency > 0) {
+        node.latency = process_.memories[op.object].load_latency;
+        node.delay = 0;
+        node.output_delay = options_.target.memory;
+      }
+      if (op.is_stream_access()) node.tail = options_.target.stall;
+      problem_.operations.push_back(node);
+    }
+    problem_.period = options_.period * (1 - options_.margin);
+  }
+
+  void data(ValueId from, int to, int distance = 0) {
+    auto found = node_.find(from);
+    if (found == node_.end()) return;
+    Dependence dependence;
+    dependence.from = found->second;
+    dependence.to = to;
+    dependence.distance = distance;
+    problem_.dependences.push_back(dependence);
+  }
+
+  void order(int from, int to, int distance, int min_cycles) {
+    Dependence dependence;
+    dependence.from = from;
+    dependence.to = to;
+    dependence.distance = distance;
+    dependence.is_data = false;
+    dependence.min_cycles = min_cycles;
+    problem_.dependences.push_back(dependence);
+  }
+
+  void add_data_dependences() {
+    for (size_t i = 0; i < block_.operations.size(); ++i) {
+      const Operation& op = process_[block_.operations[i]];
+      if (op.kind == OpKind::kPhi) {
+        for (size_t k = 0; k < op.operands.size(); ++k)
+          if (block_.is_loop && block_.predecessors[k] == block_id_) data(op.operands[k], i, 1);
+        continue;
+      }
+      for (ValueId operand : op.operands) data(operand, i);
+      if (op.predicate != kNoValue) data(op.predicate, i);
+    }
+  }
+
+  /// Constant difference of two addresses, when known: then equal or never equal in one iteration.
+  bool differ(const Operation& a, const Operation& b) const {
+    const Operation &x = process_[a.operands[0]], &y = process_[b.operands[0]];
+    return x.kind == OpKind::kConstant && y.kind == OpKind::kConstant &&
+           x.constant.getZExtValue() != y.constant.getZExtValue();
+  }
+
+  /// The phi that an address counts with a constant step, and its offset: address = phi + offset.
+  struct Affine {
+    ValueId phi = kNoValue;
+    int64_t offset = 0;
+  };
+  Affine affine(ValueId id) const {
+    Affine form;
+    for (int depth = 0; depth < 8; ++depth) {
+      const Operation& op = process_[id];
+      if (op.kind == OpKind::kPhi && node_.count(id)) {
+        form.phi = id;
+        return form;
+      }
+      bool is_cast = op.kind == OpKind::kZExt || op.kind == OpKind::kSExt;
+      bool adds_constant = op.kind == OpKind::kAdd && process_[op.operands[1]].kind == OpKind::kConstant;
+      if (adds_constant)
+        form.offset += process_[op.operands[1]].constant.getSExtValue();
+      else if (!is_cast)
+        return {};
+      id = op.operands[0];
+    }
+    return {};
+  }
+
+  /// Step per iteration of a phi that counts, or 0.
+  int64_t step_of(ValueId phi) const {
+    const Operation& op = process_[phi];
+    for (size_t k = 0; k < op.operands.size(); ++k) {
+      if (block_.predecessors[k] != block_id_) continue;
+      Affine next = affine(op.operands[k]);
+      return next.phi == phi ? next.offset : 0;
+    }
+    return 0;
+  }
+
+  /// Iterations from `from` to the next one in which `to` may touch the same word; 0: never.
+  int carried_distance(const Operation& from, const Operation& to) const {
+    if (differ(from, to)) return 0;
+    Affine a = affine(from.operands[0]), b = affine(to.operands[0]);
+    if (a.phi == kNoValue || a.phi != b.phi) return 1;
+    int64_t step = step_of(a.phi);
+    if (step == 0) return 1;
+    // phi + a == (phi + d * step) + b, exactly or modulo the counter's width.
+    int64_t gap = a.offset - b.offset;
+    if (step < 0) {
+      step = -step;
+      gap = -gap;
+    }
+    const int64_t never = int64_t{1} << 20;
+    int64_t distance = gap % step == 0 && gap / step >= 1 ? gap / step : never;
+    unsigned width = process_[a.phi].type_width;
+    if (width < 20) {
+      int64_t modulus = int64_t{1} << width, wrapped = ((gap % modulus) + modulus) % modulus;
+      distance = std::min(distance, std::max<int64_t>(1, (wrapped ? wrapped : modulus) / step));
+    }
+    return distance == never ? 0 : static_cast<int>(std::min(distance, never));
+  }
+
+  bool differ_in_iteration(const Operation& a, const Operation& b) const {
+    if (differ(a, b)) return true;
+    Affine x = affine(a.operands[0]), y = affine(b.operands[0]);
+    return x.phi != kNoValue && x.phi == y.phi && x.offset != y.offset;
+  }
+
+  /// Cycles from one access to a later one of the same word.
+  int gap(const Operation& first, const Operation& second) const {
+    bool immediate = process_.memories[first.object].kind == MemoryKind::kRegisters;
+    if (first.kind == OpKind::kLoad)
+      return immediate ? 0 : 1;  // A RAM read of the word being written is undefined.
+    (void)second;
+    return 1;
+  }
+
+  void add_memory_dependences() {
+    for (size_t i = 0; i < block_.operations.size(); ++i) {
+      const Operation& first = process_[block_.operations[i]];
+      if (!first.is_memory_access()) continue;
+      for (size_t k = 0; k < block_.operations.size(); ++k) {
+        const Operation& second = process_[block_.operations[k]];
+        if (!second.is_memory_access() || second.object != first.object) continue;
+        if (first.kind == OpKind::kLoad && second.kind == OpKind::kLoad) continue;
+        if (i < k && !differ_in_iteration(first, second)) order(i, k, 0, gap(first, second));
+        if (!block_.is_loop || process_.memories[first.object].independent) continue;
+        int distance = carried_distance(first, second);
+        if (distance > 0) order(i, k, distance, gap(first, second));
+      }
+    }
+  }
+
+  void add_stream_dependences() {
+    int last_write = -1, last_access = -1;
+    std::map<int, std::pair<int, int>> ends;  // stream -> first and last access
+    for (size_t i = 0; i < block_.operations.size(); ++i) {
+      const Operation& op = process_[block_.operations[i]];
+      if (!op.is_stream_access()) continue;
+      auto [place, is_new] = ends.emplace(op.object, std::make_pair(i, i));
+      if (!is_new) {
+        order(place->second.second, i, 0, 1);
+        place->second.second = i;
+      }
+      if (!block_.is_loop && last_access >= 0) order(last_access, i, 0, 0);
+      // A partner may answer the write with what is read next.
+      if (!block_.is_loop && op.kind == OpKind::kRead && last_write >= 0) order(last_write, i, 0, 1);
+      if (op.kind == OpKind::kWrite) last_write = i;
+      last_access = i;
+    }
+    if (block_.is_loop)
+      for (const auto& [stream, pair] : ends) order(pair.second, pair.first, 1, 1);
+  }
+
+  /// The next iteration may act only when this one is known not to leave the loop.
+  void add_exit_dependences() {
+    if (!block_.is_loop || block_.terminator.condition == kNoValue) return;
+    auto condition = node_.find(block_.terminator.condition);
+    if (condition == node_.end()) return;
+    for (size_t i = 0; i < block_.operations.size(); ++i)
+      if (process_[block_.operations[i]].has_effect())
+        order(condition->second, i, 1, 1 + problem_.operations[condition->second].latency);
+  }
+
+  std::string explain(const ScheduleFailure& failure) const {
+    if (failure.resource >= 0) {
+      std::string users;
+      for (size_t i = 0; i < problem_.operations.size(); ++i)
+        if (problem_.operations[i].resource == failure.resource)
+          users += (users.empty() ? "" : ", ") + process_[block_.operations[i]].location.text();
+      return "the " + resources_.name(process_, failure.resource) + " is used at " + users +
+             "; partition the array or access it once an iteration";
+    }
+    const Dependence& dependence = problem_.dependences[failure.dependence];
+    const Operation &from = process_[block_.operations[dependence.from]],
+                    &to = process_[block_.operations[dependence.to]];
+    return "'" + from.name + "' (" + from.location.text() + ") must be ready for '" + to.name + "' (" +
+           to.location.text() + ") of " + std::to_string(dependence.distance) + " iteration" +
+           (dependence.distance == 1 ? "" : "s") + " later; shorten the path between them";
+  }
+
+  void record(const Schedule& schedule, ProcessSchedule& result, BlockSchedule& summary) {
+    int length = 1;
+    for (size_t i = 0; i < block_.operations.size(); ++i) {
+      ValueId id = block_.operations[i];
+      result.start[id] = schedule.cycle[i];
+      result.ready[id] = schedule.cycle[i] + problem_.operations[i].latency;
+      result.begin[id] = schedule.begin[i];
+      result.end[id] = schedule.end[i];
+      length = std::max(length, result.ready[id] + 1);
+    }
+    summary.length = block_.is_loop ? std::max(length, summary.ii) : length;
+  }
+
+  const Process& process_;
+  const Block& block_;
+  int block_id_;
+  const ScheduleOptions& options_;
+  std::map<ValueId, int> node_;
+  Resources resources_;
+  ScheduleProblem problem_;
+};
+
+}  // namespace
+
+ProcessSchedule schedule_process(const Process& process, const ScheduleOptions& options,
+                                 Diagnostics& diagnostics) {
+  ProcessSchedule result;
+  result.blocks.resize(process.blocks.size());
+  size_t count = process.operations.size();
+  result.start.assign(count, 0);
+  result.ready.assign(count, 0);
+  result.begin.assign(count, 0);
+  result.end.assign(count, 0);
+  for (size_t block = 0; block < process.blocks.size(); ++block)
+    BlockScheduler(process, block, options).run(result, diagnostics);
+  return result;
+}
+
+}  // namespace hlsc
