@@ -102,8 +102,10 @@ TEST(Accelerator, RunsWithoutLines) {
   EXPECT_TRUE(output.counts.empty());
 }
 
-/// The streams of the concrete top for one frame, drained.
-FrameOutput run_top(const cv::Mat& image, FrameParameters p, std::vector<LineSetup> lines) {
+/// The streams of a concrete top for one colour frame, drained.
+template <typename Config>
+FrameOutput run_top(decltype(floorline_accelerator)* top, const cv::Mat& image, FrameParameters p,
+                    std::vector<LineSetup> lines) {
   hls::stream<RgbPixel> pixels("pixels");
   hls::stream<FloorPoint> points("points");
   hls::stream<Obstacle> obstacles("obstacles");
@@ -118,8 +120,8 @@ FrameOutput run_top(const cv::Mat& image, FrameParameters p, std::vector<LineSet
   p.width = image.cols;
   p.height = image.rows;
   p.line_count = lines.size();
-  lines.resize(VgaConfig::MAX_LINES);
-  floorline_accelerator(pixels, points, obstacles, counts, null_pixels, p, lines.data());
+  lines.resize(Config::MAX_LINES);
+  top(pixels, points, obstacles, counts, null_pixels, p, lines.data());
   EXPECT_TRUE(pixels.empty());
   FrameOutput output;
   for (FloorPoint point = points.read(); !point.end; point = points.read()) output.points.push_back(point);
@@ -161,7 +163,7 @@ TEST(Accelerator, CapturedStagesGiveWhatTheTopGives) {
   std::size_t points = 0;
   CSimulation reset(kImage);  // The concrete top shares the kernels' state.
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    const FrameOutput top = run_top(frames[i], settings[i], beam());
+    const FrameOutput top = run_top<VgaConfig>(floorline_accelerator, frames[i], settings[i], beam());
     for (const FrameOutput* output : {&captured[i], &plain[i]}) {
       EXPECT_EQ(output->points, top.points);
       EXPECT_EQ(output->obstacles, top.obstacles);
@@ -182,8 +184,15 @@ TEST(CSimulation, RefusesFramesThatFitNoConfiguration) {
 }
 
 TEST(CSimulation, TakesWideFrames) {
-  CSimulation csim({1226, 370});
-  EXPECT_EQ(csim.run(cv::Mat::zeros(370, 1226, CV_8UC1), parameters(), {}).null_pixels, 370 * 1226);
+  const cv::Mat image = cv::Mat::zeros(370, 1226, CV_8UC3);
+  CSimulation csim(image.size());
+  const std::vector<LineSetup> lines =
+      line_table(beam_lines({{0, 600, 0}, image.size(), 200, 369, 256}), image.size());
+  const FrameOutput output = csim.run(image, parameters(), lines);
+  EXPECT_EQ(output.null_pixels, image.size().area());
+  const FrameOutput top = run_top<WideConfig>(floorline_accelerator_wide, image, parameters(), lines);
+  EXPECT_EQ(top.null_pixels, 0) << "the frame before is the reference";
+  EXPECT_EQ(top.counts, output.counts);
 }
 
 }  // namespace
