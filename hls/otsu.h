@@ -10,7 +10,7 @@
 /// Between two grey levels that occur every t makes the same split; the lowest of equals is taken. A frame of
 /// a single grey level has no split: threshold 0.
 ///
-/// II = 1. A frame takes width * height + 512 + about 75 cycles a contender (mostly one to three) + 40. The
+/// II = 1. A frame takes width * height + 512 + about 75 cycles a contender (mostly one or two) + 40. The
 /// histogram is cleared while it is read. Nine DSPs.
 #ifndef FLOORLINE_HLS_OTSU_H
 #define FLOORLINE_HLS_OTSU_H
@@ -42,45 +42,45 @@ struct Contender {
 };
 
 /// Word of chord i of log2(1 + x), x from i / 64 to (i + 1) / 64: base (17 bits, Q0.17) in bits 28:12, slope
-/// (12 bits, Q0.17 a chord) in bits 11:0.
+/// (12 bits, Q0.19 a chord) in bits 11:0.
 struct LogarithmChord {
-  static const int COUNT = 64;
+  static const int COUNT = 256;
 
   /// atanh(z) / z for z^2 = z2 <= 1/9, to within 10^-7.
   static constexpr double atanh_ratio(double z2) {
     return 1 + z2 * (1 / 3. + z2 * (1 / 5. + z2 * (1 / 7. + z2 * (1 / 9. + z2 * (1 / 11. + z2 / 13)))));
   }
 
-  /// log2(m) = 2 / ln 2 * atanh(z), z = (m - 1) / (m + 1), at the start m = 1 + i / 64 of the chord.
+  /// log2(m) = 2 / ln 2 * atanh(z), z = (m - 1) / (m + 1), at the start m = 1 + i / 256 of the chord.
   static constexpr double at_start(int i) {
     return 2.8853900817779268 * i / (2 * COUNT + i) *
            atanh_ratio(double(i) * i / (double(2 * COUNT + i) * (2 * COUNT + i)));
   }
 
   /// A chord runs below the curve; half its greatest depth is added, so that the error is centred.
-  /// h^2 / 8 * |f''(m)|, f'' = 1 / (ln 2 m^2), h = 1 / 64.
+  /// h^2 / 8 * |f''(m)|, f'' = 1 / (ln 2 m^2), h = 1 / 256.
   static constexpr double half_depth(int i) {
     return 1.4426950408889634 / (16.0 * (COUNT + i) * (COUNT + i));
   }
 
   /// With half a unit for rounding and half a unit for what cutting slope * place drops.
   static constexpr unsigned base(int i) {
-    return unsigned((at_start(i) + half_depth(i)) * (1 << 17) + 0.5 + 0.5);
+    return unsigned((at_start(i) + half_depth(i)) * (1 << 19) + 0.5 + 0.5);
   }
 
   static constexpr unsigned slope(int i) {
-    return unsigned((at_start(i + 1) - at_start(i)) * (1 << 17) + 0.5);
+    return unsigned((at_start(i + 1) - at_start(i)) * (1 << 19) + 0.5);
   }
 
   static constexpr unsigned at(int i) { return base(i) << 12 | slope(i); }
 };
 
-typedef ap_uint<23> Logarithm;  ///< Q6.17.
+typedef ap_uint<25> Logarithm;  ///< Q6.19.
 
-/// Greatest error of logarithm(), in units of 2^-17.
-const int LOGARITHM_ERROR = 5;
+/// Greatest error of logarithm(), in units of 2^-19.
+const int LOGARITHM_ERROR = 3;
 
-/// log2(x), Q6.17, for x > 0.
+/// log2(x), Q6.19, for x > 0.
 template <int BITS>
 inline Logarithm logarithm(ap_uint<BITS> x) {
 #pragma HLS INLINE
@@ -94,13 +94,13 @@ NORMALISE:
       exponent = exponent - shift;
     }
   }
-  const ap_uint<18> fraction = mantissa >> (BITS - 1 - 18);
-  const ap_uint<32> chord = Table<LogarithmChord, LogarithmChord::COUNT>::word[fraction.range(17, 12)];
-  const ap_uint<17> base = chord.range(28, 12);
+  const ap_uint<21> fraction = mantissa >> (BITS - 1 - 21);
+  const ap_uint<32> chord = Table<LogarithmChord, LogarithmChord::COUNT>::word[fraction.range(20, 13)];
+  const ap_uint<19> base = chord.range(30, 12);
   const ap_uint<12> slope = chord.range(11, 0);
-  const ap_uint<12> place = fraction.range(11, 0);
-  const ap_uint<24> rise = slope * place;
-  return (Logarithm(exponent) << 17) + base + (rise >> 12);
+  const ap_uint<13> place = fraction.range(12, 0);
+  const ap_uint<25> rise = slope * place;
+  return (Logarithm(exponent) << 19) + base + (rise >> 13);
 }
 
 const int LIMB_BITS = 17;  ///< A product of two limbs is one DSP48E1.
@@ -265,7 +265,7 @@ PIXELS:
   ap_int<W::Deviation::width + 2> deviation = 0;
   ap_int<W::Sum::width + 1> excess = total_sum;  // S - N t
   Logarithm deviation_logarithm = 0;
-  ap_int<25> best_score = -(1 << 23);
+  ap_int<27> best_score = -(1 << 25);
 SCORES:
   for (ap_uint<10> step = 0; step < 512; ++step) {
 #pragma HLS PIPELINE II = 1
@@ -287,9 +287,9 @@ SCORES:
     if (deviation_turn) {
       deviation_logarithm = result;
     } else if (count != 0 && below != total) {
-      const ap_int<25> score = (ap_int<25>(deviation_logarithm) << 1) - result;
-      const ap_int<25> surely_above = score - WINDOW;
-      const ap_int<25> maybe_above = score + WINDOW;
+      const ap_int<27> score = (ap_int<27>(deviation_logarithm) << 1) - result;
+      const ap_int<27> surely_above = score - WINDOW;
+      const ap_int<27> maybe_above = score + WINDOW;
       const ap_uint<9> place = surely_above > best_score ? ap_uint<9>(0) : contender_count;
       if (maybe_above >= best_score) {
         const Contender<W> contender = {level, deviation, product};
