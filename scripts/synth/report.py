@@ -1,0 +1,71 @@
+"""What a synthesis result says to a person: tables, plain module names, and the critical path in terms of the source."""
+
+import collections
+import re
+
+COLUMNS = ("lut", "ff", "bram", "dsp")
+
+
+def module_name(name):
+    """Yosys calls a module with parameters $paramod$HASH\\NAME or $paramod\\NAME\\P=..; this gives NAME."""
+    match = re.match(r"\$paramod(?:\$[0-9a-f]+)?\\([^\\]+)", name)
+    return match.group(1) if match else name
+
+
+def merge(rows):
+    """Rows of the same module added up, most LUTs first; modules without cells of their own are left out."""
+    merged = collections.defaultdict(lambda: dict.fromkeys(("instances", *COLUMNS), 0))
+    for row in rows:
+        for key in ("instances", *COLUMNS):
+            merged[row["module"]][key] += row[key]
+    used = [{"module": name, **row} for name, row in merged.items() if any(row[key] for key in COLUMNS)]
+    return sorted(used, key=lambda row: (-row["lut"], row["module"]))
+
+
+def net_sources(files):
+    """{name in the Verilog: 'file:line' of the C++ that its comment tells}, for the wires of generated Verilog."""
+    sources = {}
+    for file in files:
+        for line in file.read_text().splitlines():
+            match = re.search(r"^\s*(?:wire|reg)\b.*?\b(\w+)\s*(?:=|;).*//\s*(\S+:\d+)", line)
+            if match:
+                sources.setdefault(match.group(1), match.group(2))
+    return sources
+
+
+def critical_path(routed, files):
+    """The slowest path of a nextpnr report: [{ns, at, source}] a step; `at` is the net's name, `source` its C++ line or ''."""
+    slowest = max(routed["critical_paths"], key=lambda path: sum(step["delay"] for step in path["path"]))
+    sources = net_sources(files)
+    steps = []
+    elapsed = 0.0
+    for step in slowest["path"]:
+        elapsed += step["delay"]
+        if step["type"] != "routing":
+            continue
+        net = re.sub(r"\[\d+\]$", "", step["net"])
+        name = re.sub(r"_(?:TRELLIS_FF|LUT4|PFUMX|L6MUX21|CCU2C|DP16KD|MULT18X18D)_.*$", "", net)
+        source = sources.get(name.split(".")[-1], "")
+        if steps and steps[-1]["at"] == name:
+            steps[-1]["ns"] = round(elapsed, 2)
+        else:
+            steps.append({"ns": round(elapsed, 2), "at": name, "source": source})
+    return steps
+
+
+def table(header, rows):
+    cells = [[str(cell) for cell in row] for row in [header, *rows]]
+    widths = [max(len(row[i]) for row in cells) for i in range(len(header))]
+    return "\n".join("  ".join(cell.ljust(width) if i == 0 else cell.rjust(width) for i, (cell, width) in enumerate(zip(row, widths))) for row in cells)
+
+
+def text(results):
+    parts = []
+    for result in results:
+        rows = [[row["module"], row["instances"], *(row[key] for key in COLUMNS)] for row in result["modules"]]
+        rows.append(["sum, flattened", "", *(result["total"][key] for key in COLUMNS)])
+        parts.append(f"{result['design']} on {result['target']}\n" + table(["module", "instances", "LUT", "FF", "BRAM", "DSP"], rows))
+        if "fmax_mhz" in result:
+            parts.append(f"Fmax {result['fmax_mhz']} MHz, by seed: {', '.join(map(str, result['fmax_by_seed']))}")
+            parts.append(table(["critical path", "ns", "C++"], [[step["at"], step["ns"], step["source"]] for step in result["critical_path"]]))
+    return "\n\n".join(parts)
