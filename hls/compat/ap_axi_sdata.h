@@ -22,8 +22,18 @@ struct SideChannel<0> {
   };
 };
 
+/// Bits of a data type: ap types know theirs, native ones have all their bytes.
+template <class T, bool IsNative = std::is_arithmetic<T>::value>
+struct DataWidth {
+  static const int value = T::width;
+};
+template <class T>
+struct DataWidth<T, true> {
+  static const int value = 8 * sizeof(T);
+};
+
 /// keep and strb hold a bit per byte of data; last ends a packet (in video: a line), user starts a frame.
-template <class T, int WUser, int WId, int WDest, int WData = T::width>
+template <class T, int WUser, int WId, int WDest, int WData = DataWidth<T>::value>
 struct axis {
   T data;
   ap_uint<(WData + 7) / 8> keep;

@@ -26,6 +26,19 @@ struct ap_fixed_base : ap_detail::Bits<W, S> {
                                         ap_detail::significand(x), ap_detail::exponent(x) + W - I + 2))) {}
   AP_EXPRESSION ap_fixed_base(float x) : ap_fixed_base(double(x)) {}
 
+#ifndef __SYNTHESIS__
+  /// As std::strtod reads it: "-1.25", "0x1.8", up to 53 significant bits.
+  ap_fixed_base(const char* text) : ap_fixed_base(std::strtod(text, nullptr)) {}
+  /// Radix 2, 8, 10 or 16; every digit of the exact number.
+  std::string to_string(int radix = 2) const {
+    return (this->is_neg() ? "-" : "") + std::string(ap_detail::radix_prefix(radix)) +
+           ap_detail::fixed_digits<W + 1, W - I>(this->is_neg()
+                                                     ? -static_cast<ap_detail::Unsigned<W + 1>>(this->raw())
+                                                     : static_cast<ap_detail::Unsigned<W + 1>>(this->raw()),
+                                                 radix);
+  }
+#endif
+
   template <class T, class = typename std::enable_if<std::is_arithmetic<T>::value>::type>
   AP_EXPRESSION operator T() const {
     return to_native<T>(std::is_floating_point<T>());
@@ -86,5 +99,12 @@ struct ap_ufixed : ap_fixed_base<W, I, false, Q, O, N> {
   using ap_fixed_base<W, I, false, Q, O, N>::ap_fixed_base;
   ap_ufixed() = default;
 };
+
+#ifndef __SYNTHESIS__
+template <int W, int I, bool S, ap_q_mode Q, ap_o_mode O, int N>
+std::ostream& operator<<(std::ostream& out, const ap_fixed_base<W, I, S, Q, O, N>& x) {
+  return out << x.to_string(ap_detail::stream_radix(out));
+}
+#endif
 
 #endif

@@ -98,7 +98,9 @@ AP_EXPRESSION Raw<W, S> shift_left(T x, N n) {
 }
 template <int W, bool S, class T, class N>
 AP_EXPRESSION Raw<W, S> shift_right(T x, N n) {
-  return n < static_cast<N>(W) ? static_cast<Raw<W, S>>(x >> n) : S ? static_cast<Raw<W, S>>(x >> (W - 1)) : 0;
+  return n < static_cast<N>(W) ? static_cast<Raw<W, S>>(x >> n)
+         : S                   ? static_cast<Raw<W, S>>(x >> (W - 1))
+                               : 0;
 }
 
 template <class A>

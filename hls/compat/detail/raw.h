@@ -73,6 +73,7 @@ struct RawType<1, true> {
 };
 template <int W, bool S>
 using Raw = typename RawType<W, S>::type;
+/// Local variables of this type must not be const: Clang 19 crashes on some widths above 128.
 template <int W>
 using Unsigned = unsigned _BitInt(W);
 

@@ -89,7 +89,7 @@ struct ap_range_ref : ap_detail::Reference<ap_range_ref<W, S>, W> {
 
   AP_INLINE ap_detail::Unsigned<W> bits() const { return word_.V >> lo_ & ap_detail::ones<W>(length()); }
   AP_INLINE void put(ap_detail::Unsigned<W> bits) {
-    const ap_detail::Unsigned<W> mask = ap_detail::ones<W>(length());
+    ap_detail::Unsigned<W> mask = ap_detail::ones<W>(length());
     word_.V = (word_.V & ~(mask << lo_)) | (bits & mask) << lo_;
   }
   AP_INLINE int length() const { return length_; }

@@ -15,6 +15,8 @@ inline const char* radix_prefix(int radix) {
   return radix == 2 ? "0b" : radix == 8 ? "0o" : radix == 16 ? "0x" : "";
 }
 
+inline char digit(int value) { return "0123456789abcdefghijklmnopqrstuvwxyz"[value]; }
+
 /// Digits of `bits`, most significant first.
 template <int W>
 std::string digits(Unsigned<W> bits, int radix) {
@@ -22,7 +24,7 @@ std::string digits(Unsigned<W> bits, int radix) {
   std::string text;
   Wide rest = bits;
   do {
-    text += "0123456789abcdefghijklmnopqrstuvwxyz"[static_cast<int>(rest % static_cast<Wide>(radix))];
+    text += digit(static_cast<int>(rest % static_cast<Wide>(radix)));
     rest /= static_cast<Wide>(radix);
   } while (rest != 0);
   std::reverse(text.begin(), text.end());
@@ -33,8 +35,8 @@ std::string digits(Unsigned<W> bits, int radix) {
 template <int W>
 std::string integer_text(Unsigned<W> bits, bool as_signed, int radix) {
   const bool negative = as_signed && (bits >> (W - 1)) != 0;
-  const Unsigned<W> magnitude = negative ? static_cast<Unsigned<W>>(-bits) : bits;
-  return (negative ? "-" : "") + std::string(radix_prefix(radix)) + digits<W>(magnitude, radix);
+  return (negative ? "-" : "") + std::string(radix_prefix(radix)) +
+         digits<W>(negative ? static_cast<Unsigned<W>>(-bits) : bits, radix);
 }
 
 inline int digit_value(char c) {
@@ -69,6 +71,23 @@ Unsigned<W> parse_integer(const char* text, int radix) {
     value = value * static_cast<Wide>(radix) + static_cast<Wide>(digit_value(*text));
   }
   return static_cast<Unsigned<W>>(negative ? -value : value);
+}
+
+/// All digits of magnitude * 2^-F, exactly; radix 2, 8, 10 or 16, in which every binary fraction ends.
+template <int W, int F>
+std::string fixed_digits(Unsigned<W> magnitude, int radix) {
+  static const int point = larger(F, 0);
+  typedef Unsigned<larger(W, point) + larger(-F, 0) + 5> Wide;
+  Wide rest = static_cast<Wide>(magnitude) << larger(-F, 0);
+  std::string text = digits<larger(W, point) + larger(-F, 0) + 5>(rest >> point, radix);
+  rest &= (Wide(1) << point) - 1;
+  if (rest != 0) text += '.';
+  while (rest != 0) {
+    rest *= static_cast<Wide>(radix);
+    text += digit(static_cast<int>(rest >> point));
+    rest &= (Wide(1) << point) - 1;
+  }
+  return text;
 }
 
 inline int stream_radix(const std::ios_base& stream) {
