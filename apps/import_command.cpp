@@ -2,35 +2,31 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <map>
 #include <memory>
 
 #include "command.h"
+#include "host/import.h"
+#include "host/sequence.h"
 #include "output.h"
 #include "progress.h"
-#include "sequence_import.h"
 
 namespace floorline::app {
 namespace {
 
 namespace fs = std::filesystem;
 
-using Open = Recording (*)(const fs::path&, const ImportFiles&);
-const std::map<std::string, Open> formats = {
-    {"kitti", open_kitti}, {"images", open_images}, {"tum", open_tum}, {"video", open_video}};
-
 struct Options {
   std::string format;
   std::string source;
   std::string output;
-  ImportFiles files;
+  Companions companions;
   bool force = false;
   Output results;
 };
 
 constexpr const char* footer =
     "Formats:\n"
-    "  kitti   folder with image_0/, calib.txt, poses.txt and plane.txt (or --mount)\n"
+    "  kitti   folder with image_0/, calib.txt, poses.txt and plane.txt\n"
     "  images  folder of images; needs --camera, --mount and --odometry\n"
     "  tum     folder with rgb/ and groundtruth.txt; needs --camera\n"
     "  video   a clip; needs --camera, --mount and --odometry\n"
@@ -39,18 +35,37 @@ constexpr const char* footer =
     "  floorline import video clip.mp4 --camera camera.yaml --mount mount.yaml --odometry odometry.csv "
     "--output out/clip";
 
+/// What the recording itself does not say must be given.
+void require(const fs::path& file, const Options& options, const char* option) {
+  if (file.empty()) throw CLI::RequiredError(fmt::format("import {}: {}", options.format, option));
+}
+
+void import_into(const Options& options, const fs::path& folder, const ImportProgress& progress) {
+  if (options.format == "kitti") return import_kitti(options.source, folder, progress);
+  require(options.companions.camera, options, "--camera");
+  if (options.format == "tum") return import_tum(options.source, options.companions.camera, folder, progress);
+  require(options.companions.mount, options, "--mount");
+  require(options.companions.odometry, options, "--odometry");
+  const auto import = options.format == "images" ? import_images : import_video;
+  import(options.source, options.companions, folder, progress);
+}
+
 ExitCode run(const Options& options) {
-  const Recording recording = formats.at(options.format)(options.source, options.files);
-  const int frames = static_cast<int>(recording.odometry.size());
   produce_folder(options.output, options.force, [&](const fs::path& fresh) {
-    Progress progress("import " + recording.name, frames);
-    write_sequence(recording, fresh, [&](int done) { progress.advance(done); });
+    Progress progress("import " + options.format);
+    import_into(options, fresh, [&](int done, int total) {
+      progress.advance(done, total);
+      return true;
+    });
   });
-  const cv::Size size = recording.camera.size;
-  options.results.text(
-      fmt::format("{}: {} frames of {} x {}", options.output, frames, size.width, size.height));
-  options.results.json(
-      {{"folder", options.output}, {"frames", frames}, {"width", size.width}, {"height", size.height}});
+  const Sequence sequence(options.output);
+  const cv::Size size = sequence.camera().size;
+  options.results.text(fmt::format("{}: {} frames of {} x {}", options.output, sequence.frame_count(),
+                                   size.width, size.height));
+  options.results.json({{"folder", options.output},
+                        {"frames", sequence.frame_count()},
+                        {"width", size.width},
+                        {"height", size.height}});
   return ExitCode::ok;
 }
 
@@ -60,17 +75,15 @@ Command add_import(CLI::App& app) {
   auto options = std::make_shared<Options>();
   CLI::App* parser = app.add_subcommand("import", "Turn a recording into a sequence folder");
   parser->footer(footer);
-  std::vector<std::string> names;
-  for (const auto& [name, open] : formats) names.push_back(name);
   parser->add_option("FORMAT", options->format, "kitti, images, tum or video")
       ->required()
-      ->check(CLI::IsMember(names));
+      ->check(CLI::IsMember({"kitti", "images", "tum", "video"}));
   parser->add_option("SOURCE", options->source, "The recording")->required();
-  parser->add_option("--camera", options->files.camera, "Calibration: OpenCV YAML or ROS camera_info")
+  parser->add_option("--camera", options->companions.camera, "Calibration: OpenCV YAML or ROS camera_info")
       ->type_name("FILE");
-  parser->add_option("--mount", options->files.mount, "robot_from_camera, 4x4 (docs/architecture.md)")
+  parser->add_option("--mount", options->companions.mount, "robot_from_camera, 4x4 (docs/architecture.md)")
       ->type_name("FILE");
-  parser->add_option("--odometry", options->files.odometry, "frame,timestamp_s,x_m,y_m,yaw_rad")
+  parser->add_option("--odometry", options->companions.odometry, "frame,timestamp_s,x_m,y_m,yaw_rad")
       ->type_name("FILE");
   parser->add_option("--output", options->output, "Sequence folder to write")
       ->type_name("FOLDER")

@@ -20,10 +20,8 @@ std::string duration_text(double seconds) {
 
 }  // namespace
 
-Progress::Progress(std::string task, int total, std::string unit)
+Progress::Progress(std::string task)
     : task_(std::move(task)),
-      total_(total),
-      unit_(std::move(unit)),
       terminal_(isatty(STDERR_FILENO) != 0),
       start_(Clock::now()),
       last_shown_(start_) {}
@@ -32,22 +30,23 @@ Progress::~Progress() {
   if (terminal_) fmt::print(stderr, "\r\033[K");
 }
 
-std::string Progress::line(int done) const {
+std::string Progress::line(int done, int total) const {
   const double elapsed = std::chrono::duration<double>(Clock::now() - start_).count();
-  const double rate = done / std::max(elapsed, 1e-3);
-  return fmt::format("{}: {} of {} {}, {:.3g} a second, {} left", task_, done, total_, unit_, rate,
-                     duration_text((total_ - done) / std::max(rate, 1e-6)));
+  const double rate = std::max(done, 1) / std::max(elapsed, 1e-3);
+  if (total == 0) return fmt::format("{}: {} frames, {:.3g} a second", task_, done, rate);
+  return fmt::format("{}: {} of {} frames, {:.3g} a second, {} left", task_, done, total, rate,
+                     duration_text((total - done) / rate));
 }
 
-void Progress::advance(int done) {
+void Progress::advance(int done, int total) {
   throw_if_interrupted();
   const auto now = Clock::now();
   if (now - last_shown_ < (terminal_ ? Clock::duration(100ms) : Clock::duration(10s))) return;
   last_shown_ = now;
   if (terminal_)
-    fmt::print(stderr, "\r\033[K{}", line(done));
+    fmt::print(stderr, "\r\033[K{}", line(done, total));
   else
-    fmt::print(stderr, "{}\n", line(done));
+    fmt::print(stderr, "{}\n", line(done, total));
   std::fflush(stderr);
 }
 

@@ -10,23 +10,21 @@ namespace floorline::app {
 
 class Progress {
  public:
-  /// `task` names the work, `unit` what is counted, in the plural ("frames").
-  Progress(std::string task, int total, std::string unit = "frames");
+  /// `task` names the work.
+  explicit Progress(std::string task);
   /// Clears the terminal's line.
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Tells that `done` of all are done. Throws Interrupted after Ctrl-C.
-  void advance(int done);
+  /// Tells that `done` frames of `total` (0: not known) are done. Throws Interrupted after Ctrl-C.
+  void advance(int done, int total);
 
  private:
   using Clock = std::chrono::steady_clock;
-  std::string line(int done) const;
+  std::string line(int done, int total) const;
 
   const std::string task_;
-  const int total_;
-  const std::string unit_;
   const bool terminal_;
   const Clock::time_point start_;
   Clock::time_point last_shown_;

@@ -34,9 +34,9 @@ constexpr const char* footer =
 
 void render_one(const render::Scene& scene, const Options& options, const fs::path& folder) {
   produce_folder(folder, options.force, [&](const fs::path& fresh) {
-    Progress progress("render " + scene.name, scene.frame_count());
-    render::render_sequence(scene, fresh, [&](int done, int) {
-      progress.advance(done);
+    Progress progress("render " + scene.name);
+    render::render_sequence(scene, fresh, [&](int done, int total) {
+      progress.advance(done, total);
       return true;
     });
   });
