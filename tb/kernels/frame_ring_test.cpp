@@ -253,8 +253,7 @@ TEST(FrameRing, CoordinatesAreWithinTheBound) {
       worst = std::max(worst, worst_coordinate(random_homography(random, size), size));
     }
   }
-  RecordProperty("worst_pixels", std::to_string(worst));
-  EXPECT_LE(worst, kCoordinateBound);
+  expect_figure("frame_ring_coordinate_error_px", worst, kCoordinateBound);
 }
 
 }  // namespace

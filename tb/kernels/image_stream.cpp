@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+#include <sstream>
 
 namespace floorline {
 namespace {
@@ -35,6 +36,13 @@ cv::Mat packed(const golden::Masks& masks) { return (masks.high & 2) | (masks.lo
 int greatest_difference(const cv::Mat& a, const cv::Mat& b) {
   if (a.size() != b.size()) return 256;
   return static_cast<int>(cv::norm(a, b, cv::NORM_INF));
+}
+
+void expect_figure(const std::string& name, double value, double bound) {
+  std::ostringstream text;
+  text << value << ' ' << bound;
+  testing::Test::RecordProperty(name, text.str());
+  EXPECT_LE(value, bound) << name;
 }
 
 cv::Mat noise(cv::Size size, int seed) {

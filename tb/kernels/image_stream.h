@@ -53,6 +53,9 @@ std::vector<NamedImage> synthetic_images();
 /// Grey images of ../shared/data within 640 x 480 (larger ones are cut): empty where that folder is absent.
 std::vector<NamedImage> real_images();
 
+/// A figure of scripts/figures/kernels.sh: `value` must not exceed `bound`. Expects that it does not.
+void expect_figure(const std::string& name, double value, double bound);
+
 /// Skips the test that calls it when there are no real images.
 #define FLOORLINE_REAL_IMAGES_OR_SKIP(images)           \
   const std::vector<NamedImage> images = real_images(); \
