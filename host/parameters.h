@@ -17,7 +17,7 @@ namespace floorline {
 
 /// What a user chooses.
 struct Settings {
-  golden::Thresholds threshold;
+  golden::Thresholds threshold = {};
   golden::Rule rule = golden::Rule::run;
   int min_rows = 12;             ///< Least rows of a run.
   int max_gap = 3;               ///< Rows without a low pixel that a run survives.
@@ -28,7 +28,7 @@ struct Settings {
   int roi_margin_rows = 20;     ///< Rows between the horizon and the first one that is looked at.
   double cluster_gap_m = 0.25;  ///< Points of neighbouring lines nearer than this are one obstacle.
   int min_lines = 2;            ///< Least lines of an obstacle.
-  ReferenceRule reference;
+  ReferenceRule reference = {};
 };
 
 /// The settings of the ICVS paper: its rule, erosion, Otsu's threshold alone, plain difference of successive

@@ -23,11 +23,11 @@ std::string_view trim(std::string_view text) {
 
 std::string read_text(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
+  // A folder opens like a file and fails when it is read.
   if (!in || std::filesystem::is_directory(file)) {
     throw Error(fmt::format("{}: cannot be read; check the name and the permissions.", file.string()));
   }
-  return text;
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 std::vector<std::string_view> split(std::string_view line, char separator) {

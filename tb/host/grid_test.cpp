@@ -1,0 +1,160 @@
+#include "host/grid.h"
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "host/parameters.h"
+#include "host/text_file.h"
+#include "rig.h"
+#include "test_files.h"
+
+namespace floorline {
+namespace {
+
+using Places = std::vector<Eigen::Vector2d>;
+
+/// Rays straight ahead, 5 cm apart, from 0.5 m on; an obstacle 1 m wide at `distance` stops those in its way.
+std::vector<FloorRay> rays_with_obstacle(double distance_m) {
+  std::vector<FloorRay> rays;
+  for (int i = -20; i <= 20; ++i) {
+    const double y = 0.05 * i;
+    const bool hit = std::abs(y) < 0.5 && distance_m < 4;
+    rays.push_back({{0.5, y}, {4, y}, {hit ? distance_m : 4, y}, hit});
+  }
+  return rays;
+}
+
+const std::vector<FloorRay> open_floor = rays_with_obstacle(INFINITY);
+
+TEST(FloorRays, EndAtTheNearestContact) {
+  const Configuration configuration(test_camera(), robot_from_camera(test_angles), {.line_count = 40});
+  const golden::Parameters parameters = configuration.golden_parameters({});
+  const std::vector<FloorRay> open = floor_rays(parameters, {});
+  ASSERT_EQ(open.size(), 40u);
+  EXPECT_FALSE(open[20].hit);
+  EXPECT_EQ(open[20].free, open[20].far);
+  EXPECT_GT(open[20].far.norm(), open[20].near.norm());
+
+  const golden::FloorPoint behind = {{.line = 20}, 3.0, 0.1};
+  const golden::FloorPoint before = {{.line = 20}, 1.5, 0.05};
+  const golden::FloorPoint clipped = {{.line = 21, .clipped = true}, 0.8, 0.0};
+  const std::vector<FloorRay> rays = floor_rays(parameters, {behind, before, clipped});
+  EXPECT_TRUE(rays[20].hit);
+  EXPECT_EQ(rays[20].free, Eigen::Vector2d(1.5, 0.05));
+  EXPECT_FALSE(rays[21].hit);
+  EXPECT_EQ(rays[21].free, rays[21].near) << "the foot lies below the image: nothing is proven free";
+}
+
+TEST(FloorRays, LinesThatDoNotSeeTheFloorGiveNone) {
+  golden::Parameters parameters =
+      Configuration(test_camera(), robot_from_camera(test_angles), {}).golden_parameters({});
+  parameters.lines = {{{320, 0}, {320, 40}}};
+  EXPECT_TRUE(floor_rays(parameters, {}).empty());
+}
+
+TEST(Grid, LearnsWhatIsOccupiedAndFree) {
+  Grid grid({});
+  EXPECT_EQ(grid.occupancy({2, 0}), 0.5);
+  for (int i = 0; i < 4; ++i) grid.add({}, rays_with_obstacle(2.02), {});
+  EXPECT_GT(grid.occupancy({2.02, 0}), 0.9);
+  EXPECT_LT(grid.occupancy({1.5, 0}), 0.2);
+  EXPECT_EQ(grid.occupancy({2.5, 0}), 0.5) << "behind the obstacle nothing is known";
+  EXPECT_LT(grid.occupancy({2.5, 0.8}), 0.2) << "beside it the view is free";
+}
+
+TEST(Grid, FreeFloorDisprovesAnObstacle) {
+  Grid grid({});
+  for (int i = 0; i < 10; ++i) grid.add({}, rays_with_obstacle(2.02), {});
+  for (int i = 0; i < 20; ++i) grid.add({}, open_floor, {});
+  EXPECT_LT(grid.occupancy({2.02, 0}), 0.2);
+}
+
+TEST(Grid, PlacesThingsByTheRobotsPose) {
+  Grid grid({});
+  // Facing +Y from (1, 1): ahead is +Y, left is -X.
+  for (int i = 0; i < 4; ++i) grid.add({1, 1, M_PI / 2}, rays_with_obstacle(2.02), {{2, 0.5}});
+  EXPECT_GT(grid.occupancy({1.02, 3.02}), 0.9);
+  ASSERT_EQ(grid.confirmed().size(), 1u);
+  EXPECT_TRUE(grid.confirmed()[0].place.isApprox(Eigen::Vector2d(0.5, 3)));
+}
+
+TEST(Grid, DoesNotJudgeBeyondItsRange) {
+  Grid grid({.range_m = 3});
+  for (int i = 0; i < 4; ++i) grid.add({}, rays_with_obstacle(3.5), {{3.5, 0}});
+  EXPECT_EQ(grid.occupancy({3.5, 0}), 0.5);
+  EXPECT_LT(grid.occupancy({2.9, 0}), 0.5);
+  EXPECT_TRUE(grid.confirmed().empty());
+}
+
+TEST(Grid, ConfirmsKOfN) {
+  Grid grid({.confirm_hits = 2, .confirm_window = 4});
+  grid.add({}, open_floor, {{2, 0}});
+  EXPECT_TRUE(grid.confirmed().empty());
+  grid.add({}, open_floor, {});
+  grid.add({}, open_floor, {{2.1, 0}});
+  ASSERT_EQ(grid.confirmed().size(), 1u);
+  EXPECT_NEAR(grid.confirmed()[0].place.x(), 2.05, 1e-12);
+  EXPECT_EQ(grid.confirmed()[0].reports, 2);
+  grid.add({}, open_floor, {});
+  grid.add({}, open_floor, {});
+  EXPECT_TRUE(grid.confirmed().empty()) << "one of the last four";
+}
+
+TEST(Grid, TwoReportsInOneFrameAreOneFrame) {
+  Grid grid({.confirm_hits = 2});
+  grid.add({}, open_floor, {{2, 0}, {2.05, 0}});
+  EXPECT_TRUE(grid.confirmed().empty());
+}
+
+TEST(Grid, KeepsWhatIsOutOfView) {
+  Grid grid({});
+  for (int i = 0; i < 3; ++i) grid.add({}, open_floor, {{2, 0}});
+  for (int i = 0; i < 10; ++i) grid.add({0, 0, M_PI}, open_floor, {});  // The robot has turned round.
+  ASSERT_EQ(grid.confirmed().size(), 1u);
+  const int id = grid.confirmed()[0].id;
+  grid.add({}, open_floor, {{2, 0}, {3, 0.5}});
+  grid.add({}, open_floor, {{2, 0}, {3, 0.5}});
+  ASSERT_EQ(grid.confirmed().size(), 2u);
+  EXPECT_EQ(grid.confirmed()[0].id, id);
+  EXPECT_NE(grid.confirmed()[1].id, id);
+}
+
+TEST(Grid, ForgetsWhatAWindowOfFramesDidNotSee) {
+  Grid grid({.confirm_hits = 1, .confirm_window = 3});
+  grid.add({}, open_floor, {{2, 0}});
+  const int first = grid.confirmed().at(0).id;
+  for (int i = 0; i < 3; ++i) grid.add({}, open_floor, {});
+  EXPECT_TRUE(grid.confirmed().empty());
+  grid.add({}, open_floor, {{2, 0}});
+  EXPECT_NE(grid.confirmed().at(0).id, first);
+}
+
+TEST(Grid, WritesAMapForMapServer) {
+  const TemporaryFolder folder;
+  Grid grid({});
+  EXPECT_REFUSED(grid.write(folder.path()), "grid is empty");
+  for (int i = 0; i < 6; ++i) grid.add({}, rays_with_obstacle(2.02), {});
+  grid.write(folder.path());
+  const std::string yaml = read_text(folder / "map.yaml");
+  EXPECT_THAT(yaml, testing::HasSubstr("image: map.png\nresolution: 0.05\norigin: [0.5, "));
+  EXPECT_THAT(yaml, testing::HasSubstr("occupied_thresh: 0.65\nfree_thresh: 0.196\n"));
+  const cv::Mat map = cv::imread((folder / "map.png").string(), cv::IMREAD_UNCHANGED);
+  ASSERT_EQ(map.type(), CV_8UC1);
+  // The obstacle at x = 2.02, y = 0.02: column 30 from x = 0.5, row from the top by Y.
+  const auto grey_at = [&](double x, double y) {
+    const double top = map.rows * 0.05 - 1.0;  // Y of the upper edge: the lowest ray is at -1 m.
+    return map.at<uchar>(static_cast<int>((top - y) / 0.05), static_cast<int>((x - 0.5) / 0.05));
+  };
+  EXPECT_EQ(grey_at(2.02, 0.02), 0);
+  EXPECT_EQ(grey_at(1.52, 0.02), 254);
+  EXPECT_EQ(grey_at(3.02, 0.02), 205);
+}
+
+TEST(GridSettings, GrowWithTheCamera) {
+  const GridSettings settings = grid_settings(1.2);
+  EXPECT_NEAR(settings.range_m, 2 * GridSettings{}.range_m, 1e-12);
+  EXPECT_NEAR(settings.resolution_m, 2 * GridSettings{}.resolution_m, 1e-12);
+  EXPECT_NEAR(settings.radius_m, 2 * GridSettings{}.radius_m, 1e-12);
+}
+
+}  // namespace
+}  // namespace floorline
