@@ -43,7 +43,8 @@ module frame_guard #(
     input  wire [SIZE_WIDTH-1:0]  width,            // pixels of a line, 1 or more
     input  wire [SIZE_WIDTH-1:0]  height,           // lines of a frame, 1 or more
 
-    // End of a frame: with the last pixel that the core takes.
+    // End of a line, and of a frame: with the last pixel of it that the core takes.
+    output wire                   line_done,
     output wire                   frame_done,
     output wire                   frame_malformed,  // valid with frame_done
 
@@ -87,7 +88,8 @@ module frame_guard #(
 
     assign start_request = (state_reg == WAIT) && sof_waits && enable;
 
-    assign frame_done        = pass && last_column && last_row;
+    assign line_done         = pass && last_column;
+    assign frame_done        = line_done && last_row;
     assign frame_malformed   = malformed_reg || filling || long_line;
     assign early_sof         = (state_reg == PASS || state_reg == SKIP) && enable && interrupted;
     assign disabled_in_frame = (state_reg == PASS || state_reg == SKIP) && !enable;
@@ -111,7 +113,7 @@ module frame_guard #(
                 else if (long_line)
                     state_reg <= SKIP;
             FILL_LINE:
-                if (pass && last_column)
+                if (line_done)
                     state_reg <= last_row ? WAIT : PASS;
             FILL:
                 if (frame_done)

@@ -24,7 +24,7 @@ module frame_guard_proof (
     (* anyconst *) wire [1:0] width;
     (* anyconst *) wire [1:0] height;
 
-    wire       tready, m_valid, request, done, malformed;
+    wire       tready, m_valid, request, line_done, done, malformed;
     wire [1:0] m_data;
     wire       early_sof, late_sof, short_line, long_line, disabled_in_frame, frame_dropped;
 
@@ -33,7 +33,7 @@ module frame_guard_proof (
         .s_axis_video_tdata(tdata), .s_axis_video_tuser(tuser), .s_axis_video_tlast(tlast), .s_axis_video_tvalid(tvalid),
         .s_axis_video_tready(tready), .m_data(m_data), .m_valid(m_valid), .m_ready(m_ready),
         .start_request(request), .start_grant(grant), .refuse(refuse), .enable(enable), .width(width), .height(height),
-        .frame_done(done), .frame_malformed(malformed), .early_sof(early_sof), .late_sof(late_sof), .short_line(short_line),
+        .line_done(line_done), .frame_done(done), .frame_malformed(malformed), .early_sof(early_sof), .late_sof(late_sof), .short_line(short_line),
         .long_line(long_line), .disabled_in_frame(disabled_in_frame), .frame_dropped(frame_dropped)
     );
 
@@ -108,6 +108,7 @@ module frame_guard_proof (
         if (started && !rst) begin
             assert (!pass || in_frame);
             assert (!start || !in_frame);
+            assert (line_done == (pass && last_of_line));
             assert (done == (pass && last_of_frame));
             if (done) begin
                 assert (malformed || (faithful && in_place));
