@@ -2,6 +2,7 @@
 #ifndef FLOORLINE_HLS_DUPLICATE_H
 #define FLOORLINE_HLS_DUPLICATE_H
 
+#include "ap_int.h"
 #include "hls_stream.h"
 
 namespace floorline {

@@ -71,8 +71,9 @@ struct LineState {
 
 /// Columns that a line covers in one row, and its state for the next row (but for rule and count).
 struct Step {
-  Coordinate first;  ///< First column in walk order.
-  Coordinate last;   ///< Last column in walk order.
+  Coordinate first;  ///< First column in walk order: `left`, or `right` of a leftward line.
+  Coordinate left;
+  Coordinate right;
   LineState next;
 };
 
@@ -121,7 +122,8 @@ inline Step walk(const LineSetup& line, const LineState& state, Size row) {
   if (row == line.last_row) run = line.last_run;
 
   step.first = step.next.column;
-  step.last = line.leftward ? Coordinate(step.first - run + 1) : Coordinate(step.first + run - 1);
+  step.left = line.leftward ? Coordinate(step.first - run + 1) : step.first;
+  step.right = line.leftward ? step.first : Coordinate(step.first + run - 1);
 
   const ap_uint<13> error = step.next.error + line.remainder;
   const ap_uint<1> carry = error >= line.divisor;
@@ -136,18 +138,6 @@ inline Size clamp_column(Coordinate column, Size width) {
 #pragma HLS INLINE
   if (column < 0) return 0;
   return column < width ? Size(column) : Size(width - 1);
-}
-
-/// All columns of the step lie left of the image, or all right of it.
-inline bool beside_image(const Step& step, Size width) {
-#pragma HLS INLINE
-  return (step.first < 0 && step.last < 0) || (step.first >= width && step.last >= width);
-}
-
-/// High pixels from column `left` to column `right`.
-inline Size high_between(const Summary& left, const Summary& right) {
-#pragma HLS INLINE
-  return right.before + right.high - left.before;
 }
 
 /// Feeds a_r of `row` to the rule. True when a run ended here as a contact, which is then in `contact`.
@@ -200,11 +190,11 @@ void polar(hls::stream<Mask>& mask, hls::stream<Contact>& contacts, hls::stream<
   static_assert(MAX_LINES <= 256, "LineIndex holds 8 bits: at most 256 lines");
   using namespace polar_engine;
   // Row v lies in half v & 1. Two copies, one for each end of a run.
-  static Summary first_columns[MAX_WIDTH][2];
-  static Summary last_columns[MAX_WIDTH][2];
+  static Summary left_columns[MAX_WIDTH][2];
+  static Summary right_columns[MAX_WIDTH][2];
   static LineState states[MAX_LINES];
-#pragma HLS AGGREGATE variable = first_columns
-#pragma HLS AGGREGATE variable = last_columns
+#pragma HLS AGGREGATE variable = left_columns
+#pragma HLS AGGREGATE variable = right_columns
 #pragma HLS AGGREGATE variable = states
 
   const Size free_columns = width < LINE_SLACK ? Size(0) : Size(width - LINE_SLACK);
@@ -225,8 +215,8 @@ CYCLES:
 #pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT + MAX_LINES
 // True: a line reads its row LINE_DELAY or more steps after that was written and LINE_SLACK - LINE_DELAY or
 // more before it is overwritten; its state was written one width (>= LINE_SLACK) before.
-#pragma HLS DEPENDENCE variable = first_columns inter false
-#pragma HLS DEPENDENCE variable = last_columns inter false
+#pragma HLS DEPENDENCE variable = left_columns inter false
+#pragma HLS DEPENDENCE variable = right_columns inter false
 #pragma HLS DEPENDENCE variable = states inter false
     // The row that comes in.
     const bool streaming = at.v < height;
@@ -238,8 +228,8 @@ CYCLES:
     const ap_uint<1> centre_half = at.v[0] ^ ap_uint<1>(row_before);
     const Summary summary = {high_before, ap_uint<1>(taps.pixel[2][1]),
                              window_sum(taps, at.u, rule.run_rule)};
-    first_columns[centre][centre_half] = summary;
-    last_columns[centre][centre_half] = summary;
+    left_columns[centre][centre_half] = summary;
+    right_columns[centre][centre_half] = summary;
     high_before = at.u == 1 ? Size(0) : Size(high_before + summary.high);
 
     // The row before, one line.
@@ -251,16 +241,16 @@ CYCLES:
       const Step step = walk(line, states[index], row);
       LineState next = step.next;
       if (row >= line.first_row && row <= line.last_row) {
-        const Summary first = first_columns[clamp_column(step.first, width)][half];
-        const Summary last = last_columns[clamp_column(step.last, width)][half];
-        if (!beside_image(step, width)) {
-          next.count += line.leftward ? high_between(last, first) : high_between(first, last);
-        }
-        const bool inside = step.first >= 0 && step.first < width;
+        const Summary left = left_columns[clamp_column(step.left, width)][half];
+        const Summary right = right_columns[clamp_column(step.right, width)][half];
+        const bool in_image = step.left < width && step.right >= 0;
+        if (in_image) next.count += right.before + right.high - left.before;
+        const ap_uint<2> window = line.leftward ? ap_uint<2>(right.window) : ap_uint<2>(left.window);
+        const bool first_in_image = step.first >= 0 && step.first < width;
         const bool line_ends = row == line.last_row || !streaming;
         Contact contact;
         contact.line = index;
-        if (apply_rule(rule, line, row, line_ends, step.first, inside ? first.window : ap_uint<2>(0), next,
+        if (apply_rule(rule, line, row, line_ends, step.first, first_in_image ? window : ap_uint<2>(0), next,
                        contact)) {
           contacts.write(contact);
         }
