@@ -84,7 +84,8 @@ std::vector<TrueFrame> read_truth(const std::filesystem::path& file) {
         fmt::format("{}: cannot be read; the sequence has no ground truth.", file.string()));
   try {
     std::vector<TrueFrame> frames;
-    for (const json& frame : json::parse(in).at("frames")) frames.push_back(frame_from(frame));
+    const json root = json::parse(in);
+    for (const json& frame : root.at("frames")) frames.push_back(frame_from(frame));
     return frames;
   } catch (const json::exception& error) {
     throw std::runtime_error(fmt::format("{}: is no ground truth file: {}.", file.string(), error.what()));
