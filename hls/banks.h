@@ -16,11 +16,18 @@ inline Size wrapped(ap_int<14> row) {
   return row;
 }
 
-/// What one axis of a cell asks of the even [0] and the odd [1] banks: the index there, and whether a pixel
-/// of the cell lies there at all.
+/// The row below, in a ring of ROWS rows.
+template <int ROWS>
+inline Size row_below(Size row) {
+#pragma HLS INLINE
+  return row == ROWS - 1 ? Size(0) : Size(row + 1);
+}
+
+/// What one axis of a cell asks of the even and of the odd banks: the index there, and whether a pixel of the
+/// cell lies there at all.
 struct BankAxis {
-  Size index[2];
-  bool used[2];
+  Size even_index, odd_index;
+  bool even_used, odd_used;
 };
 
 /// first and second: the two rows (or columns) of the cell, neighbours, in either order.
@@ -28,50 +35,63 @@ inline BankAxis bank_axis(Coordinate first, bool first_used, Coordinate second, 
 #pragma HLS INLINE
   const bool odd = first[0];
   BankAxis axis;
-  axis.index[0] = (odd ? second : first) >> 1;
-  axis.index[1] = (odd ? first : second) >> 1;
-  axis.used[0] = odd ? second_used : first_used;
-  axis.used[1] = odd ? first_used : second_used;
+  axis.even_index = (odd ? second : first) >> 1;
+  axis.odd_index = (odd ? first : second) >> 1;
+  axis.even_used = odd ? second_used : first_used;
+  axis.odd_used = odd ? first_used : second_used;
   return axis;
 }
 
-/// The pixels of a cell by parity of row and column.
+/// The pixels of a cell by parity of row, then column. What is not used is 0.
 struct BankCell {
-  Pixel pixel[2][2];
+  Pixel even_even, even_odd, odd_even, odd_odd;
 };
 
-/// Banks of PITCH columns each. What is not used reads 0 and is not touched in the RAM.
+inline Pixel pixel_of(const BankCell& cell, ap_uint<1> row, ap_uint<1> column) {
+#pragma HLS INLINE
+  const Pixel in_even_row = column ? cell.even_odd : cell.even_even;
+  const Pixel in_odd_row = column ? cell.odd_odd : cell.odd_even;
+  return row ? in_odd_row : in_even_row;
+}
+
+/// Reads a pixel when it is used; else 0, and the RAM is not touched.
 template <int PITCH, int SIZE>
-inline BankCell load(const Pixel (&banks)[2][2][SIZE], const BankAxis& rows, const BankAxis& columns) {
+inline Pixel load_pixel(const Pixel (&bank)[SIZE], Size row, bool row_used, Size column, bool column_used) {
+#pragma HLS INLINE
+  Pixel pixel = 0;
+  if (row_used && column_used) pixel = bank[row * PITCH + column];
+  return pixel;
+}
+
+/// The cell from the banks of even or odd rows, even or odd columns.
+template <int PITCH, int SIZE>
+inline BankCell load(const Pixel (&even_even)[SIZE], const Pixel (&even_odd)[SIZE],
+                     const Pixel (&odd_even)[SIZE], const Pixel (&odd_odd)[SIZE], const BankAxis& rows,
+                     const BankAxis& columns) {
 #pragma HLS INLINE
   BankCell cell;
-LOAD_ROWS:
-  for (int r = 0; r < 2; ++r) {
-#pragma HLS UNROLL
-  LOAD_COLUMNS:
-    for (int c = 0; c < 2; ++c) {
-#pragma HLS UNROLL
-      cell.pixel[r][c] = 0;
-      if (rows.used[r] && columns.used[c]) {
-        cell.pixel[r][c] = banks[r][c][rows.index[r] * PITCH + columns.index[c]];
-      }
-    }
-  }
+  cell.even_even =
+      load_pixel<PITCH>(even_even, rows.even_index, rows.even_used, columns.even_index, columns.even_used);
+  cell.even_odd =
+      load_pixel<PITCH>(even_odd, rows.even_index, rows.even_used, columns.odd_index, columns.odd_used);
+  cell.odd_even =
+      load_pixel<PITCH>(odd_even, rows.odd_index, rows.odd_used, columns.even_index, columns.even_used);
+  cell.odd_odd =
+      load_pixel<PITCH>(odd_odd, rows.odd_index, rows.odd_used, columns.odd_index, columns.odd_used);
   return cell;
 }
 
 template <int PITCH, int SIZE>
-inline void store(Pixel (&banks)[2][2][SIZE], Size row, Size column, Pixel pixel) {
+inline void store(Pixel (&even_even)[SIZE], Pixel (&even_odd)[SIZE], Pixel (&odd_even)[SIZE],
+                  Pixel (&odd_odd)[SIZE], Size row, Size column, Pixel pixel) {
 #pragma HLS INLINE
-STORE_ROWS:
-  for (int r = 0; r < 2; ++r) {
-#pragma HLS UNROLL
-  STORE_COLUMNS:
-    for (int c = 0; c < 2; ++c) {
-#pragma HLS UNROLL
-      if (row[0] == r && column[0] == c) banks[r][c][(row >> 1) * PITCH + (column >> 1)] = pixel;
-    }
-  }
+  const int index = (row >> 1) * PITCH + (column >> 1);
+  const bool odd_row = row[0];
+  const bool odd_column = column[0];
+  if (!odd_row & !odd_column) even_even[index] = pixel;
+  if (!odd_row & odd_column) even_odd[index] = pixel;
+  if (odd_row & !odd_column) odd_even[index] = pixel;
+  if (odd_row & odd_column) odd_odd[index] = pixel;
 }
 
 }  // namespace floorline

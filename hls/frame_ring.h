@@ -55,25 +55,24 @@ inline AxisCell axis_cell(ap_int<20> half_pixels, Size extent) {
   return cell;
 }
 
-/// nearest, low and high of what the banks hold. A bank that holds no pixel of the cell counts as the nearest
-/// one.
+/// Widens [low, high] to hold a pixel that belongs to the cell.
+inline void widen(PixelPair& pair, Pixel pixel, bool in_cell) {
+#pragma HLS INLINE
+  if (in_cell && pixel < pair.low) pair.low = pixel;
+  if (in_cell && pixel > pair.high) pair.high = pixel;
+}
+
+/// nearest, low and high of what the banks hold.
 inline void take_cell(const BankCell& cell, const BankAxis& rows, const BankAxis& columns,
                       ap_uint<1> nearest_row, ap_uint<1> nearest_column, PixelPair& pair) {
 #pragma HLS INLINE
-  pair.nearest = cell.pixel[nearest_row][nearest_column];
+  pair.nearest = pixel_of(cell, nearest_row, nearest_column);
   pair.low = pair.nearest;
   pair.high = pair.nearest;
-CELL_ROWS:
-  for (int r = 0; r < 2; ++r) {
-#pragma HLS UNROLL
-  CELL_COLUMNS:
-    for (int c = 0; c < 2; ++c) {
-#pragma HLS UNROLL
-      const Pixel pixel = rows.used[r] && columns.used[c] ? cell.pixel[r][c] : pair.nearest;
-      if (pixel < pair.low) pair.low = pixel;
-      if (pixel > pair.high) pair.high = pixel;
-    }
-  }
+  widen(pair, cell.even_even, rows.even_used && columns.even_used);
+  widen(pair, cell.even_odd, rows.even_used && columns.odd_used);
+  widen(pair, cell.odd_even, rows.odd_used && columns.even_used);
+  widen(pair, cell.odd_odd, rows.odd_used && columns.odd_used);
 }
 
 /// in: width * height pixels. out: as many pairs. null_pixels: one count a frame, after its last pixel.
@@ -86,10 +85,15 @@ void frame_ring(hls::stream<Pixel>& in, hls::stream<PixelPair>& out, hls::stream
   const int RING_ROWS = MAX_HEIGHT + MARGIN;
   const int PITCH = MAX_WIDTH / 2;
   static_assert(BitWidth<RING_ROWS>::value <= Size::width, "MAX_HEIGHT + MARGIN must fit the type Size.");
-  static Pixel ring[2][2][RING_ROWS / 2 * PITCH];
-#pragma HLS ARRAY_PARTITION variable = ring complete dim = 1
-#pragma HLS ARRAY_PARTITION variable = ring complete dim = 2
-#pragma HLS RESOURCE variable = ring core = RAM_S2P_BRAM
+  const int BANK_SIZE = RING_ROWS / 2 * PITCH;
+  static Pixel even_even[BANK_SIZE];
+  static Pixel even_odd[BANK_SIZE];
+  static Pixel odd_even[BANK_SIZE];
+  static Pixel odd_odd[BANK_SIZE];
+#pragma HLS RESOURCE variable = even_even core = RAM_S2P_BRAM
+#pragma HLS RESOURCE variable = even_odd core = RAM_S2P_BRAM
+#pragma HLS RESOURCE variable = odd_even core = RAM_S2P_BRAM
+#pragma HLS RESOURCE variable = odd_odd core = RAM_S2P_BRAM
   static Size base = 0;  // ring row of the reference's row 0
   static Size reference_width = 0;
   static Size reference_height = 0;
@@ -113,7 +117,10 @@ PIXELS:
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT
 // True: a row that is being overwritten is not alive, and rows that are not alive are not read.
-#pragma HLS DEPENDENCE variable = ring inter RAW false
+#pragma HLS DEPENDENCE variable = even_even inter RAW false
+#pragma HLS DEPENDENCE variable = even_odd inter RAW false
+#pragma HLS DEPENDENCE variable = odd_even inter RAW false
+#pragma HLS DEPENDENCE variable = odd_odd inter RAW false
     PixelPair pair;
     pair.current = in.read();
 
@@ -127,16 +134,18 @@ PIXELS:
     const Size other_row = wrapped<RING_ROWS>(base + row.other);
     const BankAxis rows = bank_axis(nearest_row, pair.valid, other_row, pair.valid && !row.single);
     const BankAxis columns = bank_axis(column.nearest, true, column.other, !column.single);
-    take_cell(load<PITCH>(ring, rows, columns), rows, columns, nearest_row[0], column.nearest[0], pair);
+    const BankCell cell = load<PITCH>(even_even, even_odd, odd_even, odd_odd, rows, columns);
+    take_cell(cell, rows, columns, nearest_row[0], column.nearest[0], pair);
     out.write(pair);
     if (!pair.valid) null_count = null_count + 1;
 
-    if (replace_reference) store<PITCH>(ring, write_row, at.u, pair.current);
+    if (replace_reference)
+      store<PITCH>(even_even, even_odd, odd_even, odd_odd, write_row, at.u, pair.current);
     const bool row_end = at.at_row_end();
     x_walk.advance(row_end);
     y_walk.advance(row_end);
     z_walk.advance(row_end);
-    if (row_end) write_row = wrapped<RING_ROWS>(write_row + 1);
+    if (row_end) write_row = row_below<RING_ROWS>(write_row);
   }
 
   if (replace_reference) {

@@ -79,8 +79,9 @@ inline Pixel bilinear(const BankCell& cell, ap_uint<1> top, ap_uint<1> left, ap_
 #pragma HLS INLINE
   const ap_uint<1> bottom = ~top;
   const ap_uint<1> right = ~left;
-  const ap_uint<16> upper = blend<8>(cell.pixel[top][left], cell.pixel[top][right], right_weight);
-  const ap_uint<16> lower = blend<8>(cell.pixel[bottom][left], cell.pixel[bottom][right], right_weight);
+  const ap_uint<16> upper = blend<8>(pixel_of(cell, top, left), pixel_of(cell, top, right), right_weight);
+  const ap_uint<16> lower =
+      blend<8>(pixel_of(cell, bottom, left), pixel_of(cell, bottom, right), right_weight);
   return (blend<16>(upper, lower, bottom_weight) + (1 << 15)) >> 16;
 }
 
@@ -93,9 +94,15 @@ void lens(hls::stream<Pixel>& in, hls::stream<Pixel>& out, Size width, Size heig
   const int RING_ROWS = 2 * RADIUS + 4;
   const int PITCH = MAX_WIDTH / 2;
   const int DELAY = RADIUS + 2;
-  static Pixel ring[2][2][RING_ROWS / 2 * PITCH];
-#pragma HLS ARRAY_PARTITION variable = ring complete dim = 1
-#pragma HLS ARRAY_PARTITION variable = ring complete dim = 2
+  const int BANK_SIZE = RING_ROWS / 2 * PITCH;
+  static Pixel even_even[BANK_SIZE];
+  static Pixel even_odd[BANK_SIZE];
+  static Pixel odd_even[BANK_SIZE];
+  static Pixel odd_odd[BANK_SIZE];
+#pragma HLS RESOURCE variable = even_even core = RAM_S2P_BRAM
+#pragma HLS RESOURCE variable = even_odd core = RAM_S2P_BRAM
+#pragma HLS RESOURCE variable = odd_even core = RAM_S2P_BRAM
+#pragma HLS RESOURCE variable = odd_odd core = RAM_S2P_BRAM
 
   LensMap map(parameters);
   Size write_row = 0;   // ring row of the row that comes in
@@ -109,7 +116,10 @@ PIXELS:
 #pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * (MAX_HEIGHT + DELAY)
 // True: a row is read a row after it was written at the earliest, and written again a row after it was last
 // read.
-#pragma HLS DEPENDENCE variable = ring inter false
+#pragma HLS DEPENDENCE variable = even_even inter false
+#pragma HLS DEPENDENCE variable = even_odd inter false
+#pragma HLS DEPENDENCE variable = odd_even inter false
+#pragma HLS DEPENDENCE variable = odd_odd inter false
     const bool row_end = at.at_row_end();
     if (at.v >= DELAY) {
       const Size v = at.v - DELAY;
@@ -126,18 +136,19 @@ PIXELS:
       const bool top_inside = top >= 0 && top <= last_row && rise >= -RADIUS && rise <= RADIUS;
       const bool bottom_inside =
           BILINEAR && top >= -1 && top < last_row && rise >= -RADIUS - 1 && rise < RADIUS;
-      const Coordinate ring_top = wrapped<RING_ROWS>(centre_row + rise);
-      const Coordinate ring_bottom = wrapped<RING_ROWS>(ring_top + 1);
-      const BankCell cell = load<PITCH>(ring, bank_axis(ring_top, top_inside, ring_bottom, bottom_inside),
-                                        bank_axis(left, left_inside, left + 1, right_inside));
+      const Size ring_top = wrapped<RING_ROWS>(centre_row + rise);
+      const Size ring_bottom = row_below<RING_ROWS>(ring_top);
+      const BankAxis rows = bank_axis(ring_top, top_inside, ring_bottom, bottom_inside);
+      const BankAxis columns = bank_axis(left, left_inside, left + 1, right_inside);
+      const BankCell cell = load<PITCH>(even_even, even_odd, odd_even, odd_odd, rows, columns);
       const ap_uint<8> right_weight = BILINEAR ? x.range(7, 0).to_uint() : 0;
       const ap_uint<8> bottom_weight = BILINEAR ? y.range(7, 0).to_uint() : 0;
       out.write(bilinear(cell, ring_top[0], left[0], right_weight, bottom_weight));
       map.advance(row_end);
-      if (row_end) centre_row = wrapped<RING_ROWS>(centre_row + 1);
+      if (row_end) centre_row = row_below<RING_ROWS>(centre_row);
     }
-    if (at.v < height) store<PITCH>(ring, write_row, at.u, in.read());
-    if (row_end) write_row = wrapped<RING_ROWS>(write_row + 1);
+    if (at.v < height) store<PITCH>(even_even, even_odd, odd_even, odd_odd, write_row, at.u, in.read());
+    if (row_end) write_row = row_below<RING_ROWS>(write_row);
   }
 }
 

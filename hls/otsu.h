@@ -80,20 +80,29 @@ typedef ap_uint<25> Logarithm;  ///< Q6.19.
 /// Greatest error of logarithm(), in units of 2^-19.
 const int LOGARITHM_ERROR = 3;
 
+/// One step of normalising: up by SHIFT bits when the first SHIFT bits are 0.
+template <int SHIFT, int BITS>
+inline void shift_up(ap_uint<BITS>& mantissa, ap_uint<6>& exponent) {
+#pragma HLS INLINE
+  if (mantissa >> (BITS - SHIFT) == 0) {
+    mantissa = mantissa << SHIFT;
+    exponent = exponent - SHIFT;
+  }
+}
+
 /// log2(x), Q6.19, for x > 0.
 template <int BITS>
 inline Logarithm logarithm(ap_uint<BITS> x) {
 #pragma HLS INLINE
+  static_assert(BITS > 32, "The first step of normalising looks at 32 bits.");
   ap_uint<BITS> mantissa = x;  // shifted up until its first bit is set
   ap_uint<6> exponent = BITS - 1;
-NORMALISE:
-  for (int shift = 32; shift > 0; shift /= 2) {
-#pragma HLS UNROLL
-    if (shift < BITS && mantissa >> (BITS - shift) == 0) {
-      mantissa = mantissa << shift;
-      exponent = exponent - shift;
-    }
-  }
+  shift_up<32>(mantissa, exponent);
+  shift_up<16>(mantissa, exponent);
+  shift_up<8>(mantissa, exponent);
+  shift_up<4>(mantissa, exponent);
+  shift_up<2>(mantissa, exponent);
+  shift_up<1>(mantissa, exponent);
   const ap_uint<21> fraction = mantissa >> (BITS - 1 - 21);
   const ap_uint<32> chord = Table<LogarithmChord, LogarithmChord::COUNT>::word[fraction.range(20, 13)];
   const ap_uint<19> base = chord.range(30, 12);
@@ -131,12 +140,7 @@ struct LongMultiplication {
   }
 };
 
-/// The fraction d^2 / (q (N - q)) of a contender, in limbs, lowest first.
-struct Fraction {
-  Limb numerator[6];
-  Limb denominator[3];
-};
-
+/// The limbs of a value, lowest first.
 template <int BITS>
 inline void split(ap_uint<BITS> value, Limb* limbs) {
 #pragma HLS INLINE
@@ -161,8 +165,10 @@ SQUARE:
   }
 }
 
-/// a > b. Limbs of the cross products come lowest first, so that the last difference decides.
-inline bool greater(const Fraction& a, const Fraction& b) {
+/// Whether fraction a exceeds fraction b. Limbs of the cross products come lowest first, so that the last
+/// difference decides.
+inline bool greater(const Limb* a_numerator, const Limb* a_denominator, const Limb* b_numerator,
+                    const Limb* b_denominator) {
 #pragma HLS INLINE
   ap_uint<2 * LIMB_BITS + 2> a_sum = 0;
   ap_uint<2 * LIMB_BITS + 2> b_sum = 0;
@@ -171,8 +177,8 @@ COMPARE:
   for (LongMultiplication at; at.column < 9; at.advance()) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 27 max = 27
-    a_sum = a_sum + at.product<6>(b.denominator, a.numerator);
-    b_sum = b_sum + at.product<6>(a.denominator, b.numerator);
+    a_sum = a_sum + at.product<6>(b_denominator, a_numerator);
+    b_sum = b_sum + at.product<6>(a_denominator, b_numerator);
     if (at.column_end()) {
       const Limb a_limb = a_sum;
       const Limb b_limb = b_sum;
@@ -188,24 +194,29 @@ COMPARE:
 template <typename Widths>
 inline Pixel best_contender(const Contender<Widths>* contenders, ap_uint<9> size) {
 #pragma HLS INLINE
-  Fraction fractions[2];  // the best one and the one that is compared with it
-  ap_uint<1> best = 0;
-  Pixel level = 0;
+  // The fraction d^2 / (q (N - q)) of a contender and of the best one so far, in limbs, lowest first.
+  Limb numerator[6], best_numerator[6];
+  Limb denominator[3], best_denominator[3];
+  Pixel best_level = 0;
 CONTENDERS:
   for (ap_uint<9> i = 0; i < size; ++i) {
 #pragma HLS LOOP_TRIPCOUNT min = 0 max = 256
     const Contender<Widths> contender = contenders[i];
-    const ap_uint<1> other = ~best;
     Limb deviation[3];
     split(contender.deviation, deviation);
-    split(contender.product, fractions[other].denominator);
-    square(deviation, fractions[other].numerator);
-    if (i == 0 || greater(fractions[other], fractions[best])) {
-      best = other;
-      level = contender.level;
+    split(contender.product, denominator);
+    square(deviation, numerator);
+    if (i == 0 || greater(numerator, denominator, best_numerator, best_denominator)) {
+      best_level = contender.level;
+    KEEP:
+      for (int limb = 0; limb < 6; ++limb) {
+#pragma HLS PIPELINE II = 1
+        best_numerator[limb] = numerator[limb];
+        if (limb < 3) best_denominator[limb] = denominator[limb];
+      }
     }
   }
-  return level;
+  return best_level;
 }
 
 }  // namespace otsu_scan

@@ -49,14 +49,10 @@ inline Reciprocal reciprocal(ap_int<32> z_less_one) {
 #pragma HLS INLINE
   Reciprocal result;
   result.valid = z_less_one >= (1 << 24);
-  result.shift = 0;
-LEADING_ONE:
-  for (int i = 1; i < 7; ++i) {
-#pragma HLS UNROLL
-    if (z_less_one[24 + i]) result.shift = i;
-  }
+  const ap_int<32> z = z_less_one;
+  result.shift = z[30] ? 6 : z[29] ? 5 : z[28] ? 4 : z[27] ? 3 : z[26] ? 2 : z[25] ? 1 : 0;
   // The fraction of m: 7 bits choose the chord, 13 the place within it.
-  const ap_uint<24> fraction = ap_uint<31>(z_less_one) >> result.shift;
+  const ap_uint<24> fraction = ap_uint<31>(z) >> result.shift;
   const ap_uint<32> chord = Table<ReciprocalChord, ReciprocalChord::COUNT>::word[fraction.range(23, 17)];
   const ap_uint<19> base = chord.range(30, 12);
   const ap_uint<12> slope = chord.range(11, 0);
