@@ -55,22 +55,23 @@ module erode_handwritten #(
     // Stage 1: the two rows above are read, the new mask comes.
     reg        valid1_reg, takes1_reg, first_row1_reg, fills1_reg, left_edge1_reg, right_edge1_reg;
     reg  [9:0] column1_reg;
-    wire [2:0] above;  // high bit of row v - 2, mask of row v - 1
+    wire [3:0] above;  // rows v - 2 and v - 1
     wire [1:0] middle      = above[1:0];
-    wire       top_high    = first_row1_reg ? middle[1] : above[2];
+    wire       top_high    = first_row1_reg ? middle[1] : above[3];
     wire       bottom_high = takes1_reg ? in_dout[1] : middle[1];
+    wire       unused_low  = above[2];
 
     assign in_read = step && valid1_reg && takes1_reg;
 
     ram_1r1w #(
-        .WIDTH        (3),
+        .WIDTH        (4),
         .DEPTH        (MAX_WIDTH),
         .ADDRESS_WIDTH(ADDRESS_WIDTH)
     ) rows_above (
         .clk          (clk),
         .write_enable (in_read),
         .write_address(column1_reg),
-        .write_data   ({middle[1], in_dout}),
+        .write_data   ({middle, in_dout}),
         .read_enable  (step),
         .read_address (fetch_column),
         .read_data    (above)

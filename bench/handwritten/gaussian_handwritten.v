@@ -1,7 +1,7 @@
 // Gaussian 3x3 by hand: the yardstick for the compiler's hls/gaussian.h. Same ports, same bits, same rate.
 //
 // One RAM word a column holds the two rows above. Weights 245, 534, 245 / 1024, columns first, to 4 fraction bits, then rows:
-// 1024 * centre + 245 * curvature with 245 = 256 - 8 - 2 - 1.
+// 1024 * centre + 245 * curvature, each in one DSP block: multiplier, adder and three registers.
 // A run is a frame: width * height pixels in, as many out, width * height + width + 1 steps. Width at least 4.
 
 `default_nettype none
@@ -77,36 +77,27 @@ module gaussian_handwritten #(
     );
 
     // Stages 2 to 4: the column value, Q8.4.
-    reg signed [9:0]  curvature2_reg;
-    reg        [7:0]  middle2_reg, middle3_reg;
-    reg signed [9:0]  curvature3_reg;
-    reg signed [13:0] eleven3_reg;    // 11 * curvature
-    reg        [11:0] column4_reg;
-    wire signed [13:0] wide2 = {{4{curvature2_reg[9]}}, curvature2_reg};
-    wire        [9:0]  high3 = {middle3_reg, 2'b00} + curvature3_reg;
-    wire        [11:0] sum3;
-    wire        [5:0]  unused_fraction3;
-    assign {sum3, unused_fraction3} = {high3, 8'd32} - {{4{eleven3_reg[13]}}, eleven3_reg};
+    reg signed [9:0]   curvature2_reg;
+    reg        [7:0]   middle2_reg, middle3_reg;
+    reg signed [18:0]  product3_reg;
+    reg        [17:0]  sum4_reg;
+    wire       [11:0]  column4 = sum4_reg[17:6];
 
     // Stages 5 to 7: the row value.
-    reg        [11:0] left_reg, middle4_reg;
-    reg signed [13:0] curvature5_reg, curvature6_reg;
-    reg        [11:0] centre5_reg, centre6_reg;
-    reg signed [17:0] eleven6_reg;
-    reg        [7:0]  pixel7_reg;
+    reg        [11:0]  left_reg, middle4_reg;
+    reg signed [13:0]  curvature5_reg;
+    reg        [11:0]  centre5_reg, centre6_reg;
+    reg signed [22:0]  product6_reg;
+    reg        [21:0]  sum7_reg;
     reg  [6:2]         fills_reg;
     reg  [4:2]         left_edge_reg, right_edge_reg;
     reg                write_reg;
     wire        [11:0] left  = left_edge_reg[4] ? middle4_reg : left_reg;
-    wire        [11:0] right = right_edge_reg[4] ? middle4_reg : column4_reg;
-    wire signed [17:0] wide5 = {{4{curvature5_reg[13]}}, curvature5_reg};
-    wire        [13:0] high6 = {centre6_reg, 2'b00} + curvature6_reg + 14'd32;
-    wire        [7:0]  sum6;
-    wire        [13:0] unused_fraction6;
-    assign {sum6, unused_fraction6} = {high6, 8'd0} - {{4{eleven6_reg[17]}}, eleven6_reg};
+    wire        [11:0] right = right_edge_reg[4] ? middle4_reg : column4;
+    wire               unused_fraction = &{1'b0, sum4_reg[5:0], sum7_reg[13:0], product3_reg[18], product6_reg[22]};
 
     assign step      = (!write_reg || out_full_n) && (!(valid1_reg && takes1_reg) || in_empty_n);
-    assign out_din   = pixel7_reg;
+    assign out_din   = sum7_reg[21:14];
     assign out_write = write_reg && step;
 
     always @(posedge clk) begin
@@ -121,19 +112,17 @@ module gaussian_handwritten #(
 
             curvature2_reg <= {2'b00, top} + {2'b00, bottom} - {1'b0, middle, 1'b0};
             middle2_reg    <= middle;
-            curvature3_reg <= curvature2_reg;
             middle3_reg    <= middle2_reg;
-            eleven3_reg    <= (wide2 <<< 3) + (wide2 <<< 1) + wide2;
-            column4_reg    <= sum3;
+            product3_reg   <= {{9{curvature2_reg[9]}}, curvature2_reg} * 19'sd245;
+            sum4_reg       <= product3_reg[17:0] + {middle3_reg, 10'd32};
 
-            middle4_reg    <= column4_reg;
+            middle4_reg    <= column4;
             left_reg       <= middle4_reg;
             curvature5_reg <= {2'b00, left} + {2'b00, right} - {1'b0, middle4_reg, 1'b0};
             centre5_reg    <= middle4_reg;
-            curvature6_reg <= curvature5_reg;
             centre6_reg    <= centre5_reg;
-            eleven6_reg    <= (wide5 <<< 3) + (wide5 <<< 1) + wide5;
-            pixel7_reg     <= sum6;
+            product6_reg   <= {{9{curvature5_reg[13]}}, curvature5_reg} * 23'sd245;
+            sum7_reg       <= product6_reg[21:0] + {centre6_reg, 10'd0} + 22'd8192;
 
             fills_reg      <= {fills_reg[5:2], valid1_reg && fills1_reg};
             left_edge_reg  <= {left_edge_reg[3:2], left_edge1_reg};

@@ -33,23 +33,25 @@ def net_sources(files):
     return sources
 
 
+def plain_name(name):
+    """A net or cell name without what Yosys and nextpnr append to the name in the Verilog."""
+    name = re.sub(r"\[\d+\]$", "", name)
+    return re.sub(r"(?:_(?:TRELLIS_FF|LUT4|PFUMX|L6MUX21|CCU2C|DP16KD|MULT18X18D)_.*|\.\d+\.\d+)$", "", name)
+
+
 def critical_path(routed, files):
-    """The slowest path of a nextpnr report: [{ns, at, source}] a step; `at` is the net's name, `source` its C++ line or ''."""
+    """The slowest path of a nextpnr report, from where it starts to where it ends: [{ns, at, source}]; `at` is the name in the
+    Verilog, `source` its C++ line or ''. ns: time from the clock edge until the signal has left `at`."""
     slowest = max(routed["critical_paths"], key=lambda path: sum(step["delay"] for step in path["path"]))
     sources = net_sources(files)
     steps = []
     elapsed = 0.0
     for step in slowest["path"]:
         elapsed += step["delay"]
-        if step["type"] != "routing":
-            continue
-        net = re.sub(r"\[\d+\]$", "", step["net"])
-        name = re.sub(r"_(?:TRELLIS_FF|LUT4|PFUMX|L6MUX21|CCU2C|DP16KD|MULT18X18D)_.*$", "", net)
-        source = sources.get(name.split(".")[-1], "")
-        if steps and steps[-1]["at"] == name:
-            steps[-1]["ns"] = round(elapsed, 2)
-        else:
-            steps.append({"ns": round(elapsed, 2), "at": name, "source": source})
+        name = plain_name(step["from"]["cell"])
+        if not steps or steps[-1]["at"] != name:
+            steps.append({"at": name, "source": sources.get(name.split(".")[-1], "")})
+        steps[-1]["ns"] = round(elapsed, 2)
     return steps
 
 
