@@ -38,6 +38,7 @@ struct MemoryObject {
   std::vector<bool> signedness;
   std::vector<std::string> leaf_names;
   int argument = -1;
+  int llvm_argument = -1;
   bool is_scalar_port = false;                          ///< Leaves are scalar ports, not memories.
   std::vector<Partition> partitions;                    ///< By dimension.
   std::map<std::pair<size_t, uint64_t>, int> memories;  ///< (leaf, bank) -> index in Process::memories.
@@ -74,6 +75,14 @@ class ProcessBuilder {
     process_.name = names_.unique(module_name);
     process_.source_name = info_->qualified;
     process_.location = info_->location;
+  }
+
+  Region build_region(const std::vector<Process>& processes) {
+    Region region;
+    region_ = &region;
+    region_processes_ = &processes;
+    region.head = build();
+    return region;
   }
 
   Process build() {
@@ -116,7 +125,7 @@ class ProcessBuilder {
       unsigned width = info_->result.leaves.size() == 1 ? info_->result.leaves[0].width
                                                         : function_.getReturnType()->getIntegerBitWidth();
       result_port_ = process_.scalars.size();
-      process_.scalars.push_back({"ap_return", width, false, true, true, -1, 0});
+      process_.scalars.push_back({"ap_return", width, false, true, true, -1, 0, -1, -1});
     }
   }
 
@@ -127,8 +136,8 @@ class ProcessBuilder {
             info_->location,
             "arrays of streams as parameters are not supported here; pass the streams one by one");
       streams_[{&argument, 0}] = process_.streams.size();
-      process_.streams.push_back(
-          {names_.unique(parameter.name, "stream"), parameter.layout.width(), true, index});
+      process_.streams.push_back({names_.unique(parameter.name, "stream"), parameter.layout.width(), true,
+                                  index, static_cast<int>(argument.getArgNo())});
     } else if (argument.getType()->isPointerTy()) {
       add_parameter_object(argument, parameter, index);
     } else {
@@ -144,6 +153,7 @@ class ProcessBuilder {
     port.width = lone ? std::min(parameter.layout.leaves[0].width, type_width) : type_width;
     port.is_signed = lone && parameter.layout.leaves[0].is_signed;
     port.argument = index;
+    port.llvm_argument = argument.getArgNo();
     if (argument.getName().ends_with(".coerce1")) port.byte_offset = 8;
     values_[&argument] = add_input(port, type_width);
   }
@@ -183,6 +193,7 @@ class ProcessBuilder {
     MemoryObject& object = objects_[&argument];
     object.name = parameter.name;
     object.argument = index;
+    object.llvm_argument = argument.getArgNo();
     std::vector<uint64_t> dims = parameter.dims;
     bool is_open = !dims.empty() && dims[0] == 0;
     if (is_open && has_only_constant_zero_accesses(argument, parameter.layout.bytes)) dims.clear();
@@ -236,6 +247,7 @@ class ProcessBuilder {
     port.width = object.widths[leaf];
     port.is_signed = object.signedness[leaf];
     port.argument = object.argument;
+    port.llvm_argument = object.llvm_argument;
     port.byte_offset = object.leaves[leaf].byte_offset;
     port.is_result = object.argument < 0;
     if (written) {
@@ -343,6 +355,9 @@ class ProcessBuilder {
     if (global) memory.initial = initial_words(*global, object, leaf, bank, memory.depth);
     if (object.argument >= 0) {
       memory.kind = MemoryKind::kPort;
+      memory.argument = object.argument;
+      memory.llvm_argument = object.llvm_argument;
+      memory.byte_offset = shape.byte_offset;
     } else if (global && is_constant_table(*global)) {
       memory.kind = MemoryKind::kRom;
       memory.load_latency = memory.depth * memory.width <= kCombinationalRomBits ? 0 : 1;
@@ -862,7 +877,128 @@ class ProcessBuilder {
     return constant && constant->isOne() ? kNoValue : value_of(predicate);
   }
 
+  // --- Dataflow regions ---
+
+  int process_called(const CallInst& call) const {
+    const Function* callee = call.getCalledFunction();
+    for (size_t i = 0; region_ && callee && i < middle_.processes.size(); ++i)
+      if (callee->getName() == middle_.processes[i]) return i;
+    return -1;
+  }
+
+  void build_instance(CallInst& call, int index) {
+    const Process& process = (*region_processes_)[index];
+    Instance instance;
+    instance.process = index;
+    instance.name = names_.unique(process.name);
+    for (const Stream& stream : process.streams) instance.streams.push_back(region_stream(call, stream));
+    for (const ScalarPort& port : process.scalars)
+      instance.scalars.push_back(region_scalar(call, port, instance.name));
+    for (const Memory& memory : process.memories) {
+      if (memory.kind != MemoryKind::kPort) continue;
+      auto* argument = dyn_cast<Argument>(call.getArgOperand(memory.llvm_argument));
+      if (!argument)
+        refuse(call, "array '" + memory.name +
+                         "' between two processes has no channel yet; pass the data through an hls::stream");
+      instance.memories.push_back({memory.name, objects_[argument].argument});
+    }
+    region_->instances.push_back(instance);
+  }
+
+  int region_stream(CallInst& call, const Stream& port) {
+    APInt offset(64, 0);
+    Value* base =
+        call.getArgOperand(port.llvm_argument)->stripAndAccumulateConstantOffsets(layout_, offset, true);
+    auto [known, is_new] =
+        region_streams_.emplace(std::make_pair(base, offset.getZExtValue()), region_->streams.size());
+    if (is_new) region_->streams.push_back(new_region_stream(base, offset.getZExtValue(), port.width));
+    RegionStream& stream = region_->streams[known->second];
+    int& end = port.is_input ? stream.reader : stream.writer;
+    if (end >= 0)
+      refuse(call, "stream '" + stream.name + "' has two " + (port.is_input ? "readers" : "writers") +
+                       "; give each process a stream of its own");
+    end = region_->instances.size();
+    return known->second;
+  }
+
+  RegionStream new_region_stream(Value* base, uint64_t offset, unsigned width) {
+    RegionStream stream;
+    stream.width = width;
+    auto port = streams_.find({base, offset});
+    if (port != streams_.end()) {
+      stream.name = process_.streams[port->second].name;
+      stream.argument = process_.streams[port->second].argument;
+      return stream;
+    }
+    std::string name = object_name(base);
+    stream.name = names_.unique(offset ? name + "_" + std::to_string(offset) : name, "stream");
+    for (const Directive& directive : middle_.directives.of(base, "STREAM"))
+      stream.depth = std::max<int>(2, directive.integer("depth", 2));
+    return stream;
+  }
+
+  /// What feeds a scalar port of an instance: an output of the head, or for the instance's own outputs a port
+  /// of the top.
+  int region_scalar(CallInst& call, const ScalarPort& port, const std::string& instance) {
+    Value* actual = port.llvm_argument >= 0 ? call.getArgOperand(port.llvm_argument) : nullptr;
+    if (port.is_output) {
+      auto* argument = dyn_cast_or_null<Argument>(actual);
+      if (!argument || !objects_.count(argument))
+        refuse(call, "process '" + instance + "' writes '" + port.name +
+                         "', which is no parameter of the dataflow function; use an hls::stream for it");
+      MemoryObject& object = objects_[argument];
+      for (size_t leaf = 0; leaf < object.leaves.size(); ++leaf)
+        if (object.leaves[leaf].byte_offset == port.byte_offset) {
+          if (!object.outputs.count(leaf)) add_scalar_leaf(object, leaf, false, true);
+          return object.outputs[leaf];
+        }
+      refuse(call,
+             "process '" + instance + "' writes a part of '" + port.name + "'; use an hls::stream for it");
+    }
+    ScalarPort output = port;
+    output.name = names_.unique(instance + "_" + port.name);
+    output.is_output = true;
+    output.argument = -1;
+    output.instance = region_->instances.size();
+    Operation set;
+    set.kind = OpKind::kOutput;
+    set.operands = {actual->getType()->isPointerTy() ? pointed_scalar(call, actual, port) : value_of(actual)};
+    set.object = process_.scalars.size();
+    process_.scalars.push_back(output);
+    add(set, call, output.name + "_set");
+    return set.object;
+  }
+
+  /// The scalar at `port.byte_offset` behind a pointer that an instance takes.
+  ValueId pointed_scalar(CallInst& call, Value* pointer, const ScalarPort& port) {
+    APInt constant(64, 0);
+    Value* base = pointer->stripAndAccumulateConstantOffsets(layout_, constant, true);
+    MemoryObject& object = object_at(base, call);
+    uint64_t offset = constant.getZExtValue() + port.byte_offset;
+    for (size_t leaf = 0; leaf < object.leaves.size(); ++leaf) {
+      if (object.leaves[leaf].byte_offset != offset || !object.leaves[leaf].dims.empty()) continue;
+      if (object.is_scalar_port) {
+        if (!input_values_.count({&object, leaf})) add_scalar_leaf(object, leaf, true, false);
+        return input_values_[{&object, leaf}];
+      }
+      Operation load;
+      load.kind = OpKind::kLoad;
+      load.object = memory_of(object, base, leaf, 0);
+      load.type_width = object.leaves[leaf].bytes * 8;
+      load.operands = {constant_value(APInt(64, 0))};
+      process_.memories[load.object].is_read = true;
+      return add(load, call, process_.memories[load.object].name + "_data");
+    }
+    refuse(call,
+           "parameter '" + port.name +
+               "' of a process must be a scalar, a struct, a stream or a parameter of the dataflow function");
+  }
+
   ValueId translated_call(CallInst& call) {
+    if (int process = process_called(call); process >= 0) {
+      build_instance(call, process);
+      return kNoValue;
+    }
     Operation operation;
     switch (primitive_of(call)) {
       case Primitive::kRead:
@@ -1218,6 +1354,10 @@ class ProcessBuilder {
   LoopInfo loops_;
   ScalarEvolution evolution_;
 
+  Region* region_ = nullptr;
+  const std::vector<Process>* region_processes_ = nullptr;
+  std::map<std::pair<Value*, uint64_t>, int> region_streams_;
+
   Process process_;
   NameTable names_;
   int current_block_ = 0;
@@ -1238,6 +1378,12 @@ class ProcessBuilder {
 Process build_process(const Program& program, const MiddleResult& middle, const std::string& function,
                       const std::string& module_name) {
   return ProcessBuilder(program, middle, function, module_name).build();
+}
+
+Region build_region(const Program& program, const MiddleResult& middle,
+                    const std::vector<Process>& processes) {
+  const FunctionInfo& top = program.functions.at(program.top);
+  return ProcessBuilder(program, middle, program.top, top.name + "_head").build_region(processes);
 }
 
 }  // namespace hlsc

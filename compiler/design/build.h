@@ -13,6 +13,11 @@ namespace hlsc {
 Process build_process(const Program& program, const MiddleResult& middle, const std::string& function,
                       const std::string& module_name);
 
+/// Builds the dataflow region of the top, whose calls lead to `processes` (in the order of
+/// MiddleResult::processes, without the top).
+Region build_region(const Program& program, const MiddleResult& middle,
+                    const std::vector<Process>& processes);
+
 }  // namespace hlsc
 
 #endif

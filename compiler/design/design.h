@@ -99,14 +99,18 @@ struct Memory {
   bool independent = false;          ///< DEPENDENCE inter false.
   bool is_read = false, is_written = false;
   unsigned load_latency = 1;
+  int argument = -1;         ///< Of a port: index of the parameter.
+  int llvm_argument = -1;    ///< As in Stream.
+  uint64_t byte_offset = 0;  ///< Of a port: the leaf's place in an element.
   SourceLocation location;
 };
 
 struct Stream {
   std::string name;
   unsigned width = 0;
-  bool is_input = false;  ///< Read by this process.
-  int argument = -1;      ///< Index of the parameter; -1: local to a dataflow region.
+  bool is_input = false;   ///< Read by this process.
+  int argument = -1;       ///< Index of the parameter.
+  int llvm_argument = -1;  ///< Index of the parameter in LLVM IR, where one C++ parameter may be several.
 };
 
 /// A scalar port: an input, or an output set by kOutput (with a valid pulse).
@@ -118,6 +122,11 @@ struct ScalarPort {
   bool is_result = false;    ///< The function's return value (ap_return).
   int argument = -1;         ///< Index of the parameter.
   uint64_t byte_offset = 0;  ///< Of the leaf in the parameter's object.
+  int llvm_argument = -1;    ///< As in Stream.
+  int instance = -1;         ///< Of a region's head: the instance that takes this output.
+
+  /// Announced by a NAME_ap_vld pulse.
+  bool has_valid() const { return is_output && !is_result && instance < 0; }
 };
 
 struct Terminator {
@@ -149,6 +158,33 @@ struct Process {
 
   Operation& operator[](ValueId id) { return operations[id]; }
   const Operation& operator[](ValueId id) const { return operations[id]; }
+};
+
+/// One call in a dataflow region: which signals of the region its ports are tied to.
+struct Instance {
+  int process = 0;  ///< Index in the list of processes the region was built with.
+  std::string name;
+  std::vector<int> streams;  ///< By the process' stream: index in Region::streams.
+  std::vector<int> scalars;  ///< By the process' scalar: index in Region::head.scalars.
+  std::vector<std::pair<std::string, int>>
+      memories;  ///< Memory ports by name, with the top's parameter behind them.
+};
+
+/// A stream of a dataflow region: a FIFO between two instances, or a port of the top.
+struct RegionStream {
+  std::string name;
+  unsigned width = 0;
+  int depth = 2;
+  int argument = -1;             ///< Parameter of the top; -1: local.
+  int writer = -1, reader = -1;  ///< Instances.
+};
+
+/// A dataflow region. `head` computes at the start of a run the scalars that the instances take (outputs of
+/// the head with `instance` >= 0); a FIFO of starts before each instance lets runs overlap.
+struct Region {
+  Process head;
+  std::vector<Instance> instances;
+  std::vector<RegionStream> streams;
 };
 
 /// Bits that address `depth` words, at least 1.

@@ -40,10 +40,21 @@ bool is_stream_type(clang::QualType type) {
   return record && record->getQualifiedNameAsString() == "hls::stream";
 }
 
+/// `type` as text that declares `name`, with qualified names.
+std::string type_text(clang::ASTContext& context, clang::QualType type, const std::string& name) {
+  clang::PrintingPolicy policy(context.getLangOpts());
+  policy.SuppressTagKeyword = context.getLangOpts().CPlusPlus;
+  policy.Bool = true;
+  std::string text = name;
+  type.getCanonicalType().getAsStringInternal(text, policy);
+  return text;
+}
+
 /// The part of a parameter that its type tells; layout errors surface only where the parameter is used.
 Parameter describe(clang::ASTContext& context, const clang::ParmVarDecl* declaration) {
   Parameter parameter;
   parameter.name = declaration->getNameAsString();
+  parameter.type_text = type_text(context, declaration->getType(), "%");
   clang::QualType type = declaration->getOriginalType().getNonReferenceType();
   parameter.is_indirect =
       declaration->getType()->isReferenceType() || declaration->getType()->isPointerType();
@@ -108,6 +119,8 @@ class ProgramReader : public clang::ASTConsumer, public clang::RecursiveASTVisit
     info.qualified = function->getQualifiedNameAsString();
     clang::PresumedLoc place = context_->getSourceManager().getPresumedLoc(function->getLocation());
     info.location = {place.getFilename(), place.getLine(), place.getColumn()};
+    info.result_text = type_text(*context_, function->getReturnType(), "");
+    info.is_c = function->isExternC();
     std::string mangled = mangled_name(*mangler_, function);
     if (info.name == options_.top || info.qualified == options_.top) tops_.push_back(mangled);
     try {

@@ -28,6 +28,7 @@ struct FrontendOptions {
 /// A parameter as the programmer declared it.
 struct Parameter {
   std::string name;
+  std::string type_text;       ///< The type as C++ text, all names qualified; `%` stands for the declared name.
   TypeLayout layout;           ///< Of the value, the referenced value, or one array element.
   std::vector<uint64_t> dims;  ///< Array dimensions; a leading 0 stands for a plain pointer.
   bool is_stream = false;
@@ -41,7 +42,9 @@ struct FunctionInfo {
   std::string qualified;  ///< With both.
   SourceLocation location;
   std::vector<Parameter> parameters;
-  TypeLayout result;  ///< No leaves: void.
+  TypeLayout result;        ///< No leaves: void.
+  std::string result_text;  ///< The result's type as C++ text.
+  bool is_c = false;        ///< C linkage.
 };
 
 struct Program {

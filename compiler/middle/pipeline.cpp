@@ -143,18 +143,24 @@ class Optimizer {
   PassBuilder builder_;
 };
 
-/// Functions called directly in the body of a DATAFLOW function, in order of their calls.
+/// Adds the functions that the DATAFLOW function `region` calls, in order of their calls. A callee that is
+/// itself a DATAFLOW function dissolves into its caller.
+void collect_processes(const Program& program, Function& region, std::vector<std::string>& processes) {
+  for (Instruction& instruction : instructions(region)) {
+    auto* call = dyn_cast<CallInst>(&instruction);
+    Function* callee = call ? call->getCalledFunction() : nullptr;
+    if (!callee || callee->isDeclaration() || !program.functions.count(callee->getName().str())) continue;
+    if (function_directive(*callee, "DATAFLOW"))
+      collect_processes(program, *callee, processes);
+    else if (!is_contained(processes, callee->getName().str()))
+      processes.push_back(callee->getName().str());
+  }
+}
+
 std::vector<std::string> find_processes(const Program& program) {
   std::vector<std::string> processes;
   Function* top = program.module->getFunction(program.top);
-  if (function_directive(*top, "DATAFLOW")) {
-    for (Instruction& instruction : instructions(*top)) {
-      auto* call = dyn_cast<CallInst>(&instruction);
-      Function* callee = call ? call->getCalledFunction() : nullptr;
-      if (!callee || callee->isDeclaration() || !program.functions.count(callee->getName().str())) continue;
-      if (!is_contained(processes, callee->getName().str())) processes.push_back(callee->getName().str());
-    }
-  }
+  if (function_directive(*top, "DATAFLOW")) collect_processes(program, *top, processes);
   processes.push_back(program.top);
   return processes;
 }

@@ -1,43 +1,87 @@
 #include "tool/compile.h"
 
 #include "design/build.h"
+#include "design/names.h"
 #include "design/narrow.h"
 #include "design/simplify.h"
 #include "middle/pipeline.h"
 #include "verilog/emit_process.h"
+#include "verilog/emit_top.h"
 
 namespace hlsc {
 namespace {
 
-CompiledProcess compile_process(const Program& program, const MiddleResult& middle,
-                                const std::string& function, const CompileOptions& options,
-                                Diagnostics& diagnostics) {
-  CompiledProcess result;
-  result.process = build_process(program, middle, function, program.functions.at(function).name);
-  narrow(result.process);
-  forward_copies(result.process);
-  ScheduleOptions schedule_options;
-  schedule_options.target = target_named(options.target);
-  schedule_options.period = options.period;
-  result.schedule = schedule_process(result.process, schedule_options, diagnostics);
-  return result;
-}
+class Compilation {
+ public:
+  Compilation(const CompileOptions& options, CompileResult& result)
+      : options_(options), result_(result), program_(parse_program(options.frontend)) {
+    schedule_options_.target = target_named(options.target);
+    schedule_options_.period = options.period;
+  }
+
+  void run() {
+    MiddleResult middle = run_middle(program_, result_.diagnostics);
+    auto top = program_.functions.find(program_.top);
+    if (top == program_.functions.end())
+      throw CompileError("the parameters of '" + options_.frontend.top +
+                         "' have no hardware form; use integers, ap types, structs, arrays of known size and "
+                         "hls::stream references");
+    result_.top = top->second;
+    names_.unique(result_.top.name);
+    bool is_region = middle.processes.size() > 1;
+    for (const std::string& function : middle.processes) {
+      bool is_top = function == program_.top;
+      if (is_top && is_region) continue;
+      std::string name = names_.unique(program_.functions.at(function).name + (is_top ? "_core" : ""));
+      add_process(build_process(program_, middle, function, name));
+    }
+    PortModes modes = PortModes::from(middle.directives.ports[program_.top]);
+    TopModule module = is_region ? region_top(middle, modes)
+                                 : emit_single_top(result_.top, result_.processes[0].process, modes);
+    result_.interface = module.interface;
+    result_.files.push_back({result_.top.name + ".v", module.text});
+  }
+
+ private:
+  CompiledProcess scheduled(Process process) {
+    narrow(process);
+    forward_copies(process);
+    return {process, schedule_process(process, schedule_options_, result_.diagnostics)};
+  }
+
+  void add_process(Process process) {
+    CompiledProcess compiled = scheduled(std::move(process));
+    result_.files.push_back(
+        {compiled.process.name + ".v", emit_process(compiled.process, compiled.schedule)});
+    result_.processes.push_back(std::move(compiled));
+  }
+
+  TopModule region_top(const MiddleResult& middle, const PortModes& modes) {
+    std::vector<Process> processes;
+    for (const CompiledProcess& compiled : result_.processes) processes.push_back(compiled.process);
+    Region region = build_region(program_, middle, processes);
+    CompiledProcess head = scheduled(region.head);
+    region.head = head.process;
+    result_.files.push_back({head.process.name + ".v", is_combinational(head.process)
+                                                           ? emit_combinational(head.process)
+                                                           : emit_process(head.process, head.schedule)});
+    std::vector<const Process*> pointers;
+    for (const CompiledProcess& compiled : result_.processes) pointers.push_back(&compiled.process);
+    return emit_dataflow_top(result_.top, region, pointers, modes);
+  }
+
+  const CompileOptions& options_;
+  CompileResult& result_;
+  Program program_;
+  ScheduleOptions schedule_options_;
+  NameTable names_;
+};
 
 }  // namespace
 
 CompileResult compile(const CompileOptions& options) {
   CompileResult result;
-  Program program = parse_program(options.frontend);
-  MiddleResult middle = run_middle(program, result.diagnostics);
-  auto top = program.functions.find(program.top);
-  if (top == program.functions.end())
-    throw CompileError("the parameters of '" + options.frontend.top +
-                       "' have no hardware form; use integers, ap types, structs, arrays of known size and "
-                       "hls::stream references");
-  result.top = top->second;
-  result.processes.push_back(compile_process(program, middle, program.top, options, result.diagnostics));
-  for (const CompiledProcess& compiled : result.processes)
-    result.files.push_back({compiled.process.name + ".v", emit_process(compiled.process, compiled.schedule)});
+  Compilation(options, result).run();
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include "design/design.h"
 #include "frontend/frontend.h"
 #include "schedule/schedule_process.h"
+#include "verilog/interface.h"
 
 namespace hlsc {
 
@@ -33,6 +34,7 @@ struct CompileResult {
   std::vector<CompiledProcess>
       processes;  ///< Of a dataflow region in the order of their calls; else the top alone.
   FunctionInfo top;
+  TopInterface interface;
   Diagnostics diagnostics;
 };
 

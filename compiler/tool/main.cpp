@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iostream>
 
+#include "cosim/cosim.h"
 #include "tool/compile.h"
 
 namespace {
@@ -44,10 +45,20 @@ int main(int argc, char** argv) {
   CLI::App* compile = app.add_subcommand("compile", "compile a top function to Verilog");
   add_compile_options(*compile, options);
   compile->add_option("-o,--output", output_dir, "directory for the Verilog files")->capture_default_str();
+  CLI::App* cosim = app.add_subcommand("cosim", "run a test bench against the compiled Verilog");
+  add_compile_options(*cosim, options);
+  hlsc::CosimOptions cosim_options;
+  cosim->add_option("--tb", cosim_options.test_bench, "test bench with main(), C++ or C")
+      ->required()
+      ->check(CLI::ExistingFile);
+  cosim->add_option("--stall", cosim_options.stall, "seed of random stalls on all streams; 0: none");
+  cosim->add_option("--trace", cosim_options.trace, "write waves to this VCD file");
+  cosim->add_option("--work", cosim_options.work_dir, "keep the generated files in this directory");
   CLI11_PARSE(app, argc, argv);
   try {
     hlsc::CompileResult result = hlsc::compile(options);
     for (const std::string& warning : result.diagnostics.warnings) std::cerr << warning << "\n";
+    if (*cosim) return hlsc::cosimulate(result, options, cosim_options);
     std::filesystem::create_directories(output_dir);
     for (const hlsc::GeneratedFile& file : result.files)
       write_whole(std::filesystem::path(output_dir) / file.name, file.text);

@@ -28,6 +28,24 @@ class ProcessEmitter {
     for (const Block& block : process.blocks) names_.unique(block.name);
   }
 
+  /// A head without state: its outputs follow its inputs.
+  std::string run_combinational() {
+    for (ValueId id : block_of(0).operations) emit_operation(id, 0);
+    for (const ScalarPort& port : process_.scalars)
+      ports_ << (ports_.str().empty() ? "" : ",\n") << (port.is_output ? "    output wire" : "    input wire")
+             << range_text(port.width) << " " << port.name;
+    for (size_t index = 0; index < process_.scalars.size(); ++index)
+      for (ValueId id : outputs_[index])
+        bodies_ << "    assign " << process_.scalars[index].name << " = "
+                << text(process_[id].operands[0], process_.scalars[index].width, {0, 0}) << ";\n";
+    std::ostringstream out;
+    out << header() << "`default_nettype none\n\nmodule " << process_.name << " (\n"
+        << ports_.str() << "\n);\n\n";
+    out << functions_.str() << wires_.str() << "\n"
+        << bodies_.str() << "\nendmodule\n\n`default_nettype wire\n";
+    return out.str();
+  }
+
   std::string run() {
     name_states();
     for (size_t block = 0; block < process_.blocks.size(); ++block) emit_block(block);
@@ -769,7 +787,7 @@ class ProcessEmitter {
         continue;
       }
       ports_ << ",\n    output reg" << range_text(port.width) << " " << port.name;
-      if (!port.is_result) ports_ << ",\n    output reg " << port.name << "_ap_vld";
+      if (port.has_valid()) ports_ << ",\n    output reg " << port.name << "_ap_vld";
       std::string any;
       for (ValueId id : outputs_[index]) {
         const Operation& op = process_[id];
@@ -778,9 +796,9 @@ class ProcessEmitter {
               << " <= " << text(op.operands[0], port.width, at) << ";\n";
         any += (any.empty() ? "" : " | ") + ("(" + happens(op, at) + ")");
       }
-      if (!port.is_result)
+      if (port.has_valid())
         control_ << "        " << port.name << "_ap_vld <= " << (any.empty() ? "1'b0" : any) << ";\n";
-      if (!port.is_result) resets_ << "            " << port.name << "_ap_vld <= 1'b0;\n";
+      if (port.has_valid()) resets_ << "            " << port.name << "_ap_vld <= 1'b0;\n";
     }
   }
 
@@ -825,34 +843,41 @@ class ProcessEmitter {
     emit_held_values();
     emit_stages();
     std::string entry = go_to(0, -1, 0, "                ");
-    int state_bits = address_bits(states_.size());
     std::ostringstream out;
-    out << header() << "`default_nettype none\n\nmodule " << process_.name
-        << " (\n    input wire clk,\n    input wire rst,\n    input wire ap_start,\n    output wire "
-           "ap_done,\n    output wire ap_idle,\n    output wire ap_ready"
-        << ports_.str() << "\n);\n\n";
+    out << header() << "`default_nettype none\n\nmodule " << process_.name << " (\n";
+    out << "    input wire clk,\n    input wire rst,\n    input wire ap_start,\n    input wire "
+           "ap_continue,\n";
+    out << "    output wire ap_done,\n    output wire ap_idle,\n    output wire ap_ready" << ports_.str()
+        << "\n);\n\n";
+    out << state_declarations() << registers_.str() << functions_.str() << "\n" << forward_declarations();
+    out << wires_.str() << "\n" << stalls_.str() << "\n" << bodies_.str() << "\n";
+    out << "    assign ap_idle = (state == S_IDLE);\n    assign ap_done = (state == S_DONE);\n";
+    out << "    assign ap_ready = ap_done & ap_continue;\n\n";
+    out << "    always @(posedge clk) begin\n" << control_.str() << "        case (state)\n";
+    out << "            S_IDLE: if (ap_start) begin\n" << entry << "            end\n" << cases_.str();
+    out << "            S_DONE: if (ap_continue) state <= S_IDLE;\n            default: state <= S_IDLE;\n";
+    out << "        endcase\n        if (rst) begin\n            state <= S_IDLE;\n"
+        << loop_resets() << resets_.str();
+    out << "        end\n    end\n" << data_block() << "\nendmodule\n\n`default_nettype wire\n";
+    return out.str();
+  }
+
+  std::string state_declarations() const {
+    int bits = address_bits(states_.size());
+    std::ostringstream out;
     for (size_t i = 0; i < states_.size(); ++i)
-      out << "    localparam [" << state_bits - 1 << ":0] " << states_[i] << " = " << state_bits << "'d" << i
-          << ";\n";
-    out << "    reg [" << state_bits - 1 << ":0] state;\n\n"
-        << registers_.str() << functions_.str() << "\n"
-        << forward_declarations() << wires_.str() << "\n"
-        << stalls_.str() << "\n"
-        << bodies_.str();
-    out << "\n    assign ap_idle = (state == S_IDLE);\n    assign ap_done = (state == S_DONE);\n    assign "
-           "ap_ready = ap_done;\n\n";
-    out << "    always @(posedge clk) begin\n"
-        << control_.str() << "        case (state)\n            S_IDLE: if (ap_start) begin\n"
-        << entry << "            end\n"
-        << cases_.str()
-        << "            S_DONE: state <= S_IDLE;\n            default: state <= S_IDLE;\n        endcase\n   "
-           "     if (rst) begin\n            state <= S_IDLE;\n";
+      out << "    localparam [" << bits - 1 << ":0] " << states_[i] << " = " << bits << "'d" << i << ";\n";
+    out << "    reg [" << bits - 1 << ":0] state;\n\n";
+    return out.str();
+  }
+
+  std::string loop_resets() const {
+    std::string out;
     for (size_t block = 0; block < process_.blocks.size(); ++block)
       if (is_loop(block))
-        out << "            " << block_of(block).name << "_active <= " << timing(block).length << "'d0;\n";
-    out << resets_.str() << "        end\n    end\n";
-    out << data_block() << "\nendmodule\n\n`default_nettype wire\n";
-    return out.str();
+        out += "            " + block_of(block).name + "_active <= " + std::to_string(timing(block).length) +
+               "'d0;\n";
+    return out;
   }
 
   /// Verilog wants a net declared before its use; these depend on wires that depend on them in other blocks.
@@ -898,6 +923,23 @@ class ProcessEmitter {
 };
 
 }  // namespace
+
+bool is_combinational(const Process& process) {
+  if (process.blocks.size() != 1 || process.blocks[0].is_loop || !process.streams.empty()) return false;
+  for (ValueId id : process.blocks[0].operations)
+    if (process[id].is_memory_access() ||
+        (process[id].kind == OpKind::kOutput && process.scalars[process[id].object].has_valid()))
+      return false;
+  return true;
+}
+
+std::string emit_combinational(const Process& process) {
+  ProcessSchedule schedule;
+  schedule.blocks.resize(1);
+  schedule.start.assign(process.operations.size(), 0);
+  schedule.ready = schedule.start;
+  return ProcessEmitter(process, schedule).run_combinational();
+}
 
 std::string emit_process(const Process& process, const ProcessSchedule& schedule) {
   return ProcessEmitter(process, schedule).run();

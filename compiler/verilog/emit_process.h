@@ -20,6 +20,12 @@ namespace hlsc {
 /// later inputs.
 std::string emit_process(const Process& process, const ProcessSchedule& schedule);
 
+/// Whether a dataflow region's head needs no clock: one block without memory and loops.
+bool is_combinational(const Process& process);
+
+/// The module of such a head: scalar inputs to scalar outputs, no clock.
+std::string emit_combinational(const Process& process);
+
 }  // namespace hlsc
 
 #endif

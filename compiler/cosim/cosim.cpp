@@ -1,0 +1,157 @@
+#include "cosim/cosim.h"
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "cosim/adapter.h"
+
+namespace hlsc {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A directory that goes away unless the user named it.
+class WorkDirectory {
+ public:
+  explicit WorkDirectory(const std::string& wanted) : is_temporary_(wanted.empty()) {
+    if (is_temporary_) {
+      std::string pattern = (fs::temp_directory_path() / "hlsc-cosim-XXXXXX").string();
+      if (!mkdtemp(pattern.data()))
+        throw CompileError("cannot make a temporary directory; set TMPDIR or give --work");
+      path_ = pattern;
+    } else {
+      fs::create_directories(wanted);
+      path_ = fs::absolute(wanted);
+    }
+  }
+  ~WorkDirectory() {
+    std::error_code ignored;
+    if (is_temporary_) fs::remove_all(path_, ignored);
+  }
+  const fs::path& path() const { return path_; }
+
+ private:
+  bool is_temporary_;
+  fs::path path_;
+};
+
+std::string shell_word(const std::string& text) {
+  std::string out = "'";
+  for (char c : text) out += c == '\'' ? "'\\''" : std::string(1, c);
+  return out + "'";
+}
+
+int exit_code(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128; }
+
+void run_or_throw(const std::string& command, const fs::path& log, const std::string& what) {
+  if (exit_code(std::system((command + " > " + shell_word(log.string()) + " 2>&1").c_str())) == 0) return;
+  std::ifstream in(log);
+  std::stringstream text;
+  text << in.rdbuf();
+  throw CompileError(what + ":\n" + text.str());
+}
+
+/// The C++ compiler, behind ccache where there is one: the Verilator runtime is the same for every design.
+std::string cxx() {
+  bool has_ccache = std::system("command -v ccache > /dev/null 2>&1") == 0;
+  return std::string(has_ccache ? "ccache " : "") + HLSC_CLANG;
+}
+
+class Simulation {
+ public:
+  Simulation(const CompileResult& compiled, const CompileOptions& options, const CosimOptions& cosim)
+      : compiled_(compiled), options_(options), cosim_(cosim), work_(cosim.work_dir), dir_(work_.path()) {}
+
+  int run() {
+    write_files();
+    build_model();
+    build_program();
+    std::string command =
+        "HLSC_STALL=" + std::to_string(cosim_.stall) + " " + shell_word((dir_ / "simulation").string());
+    return exit_code(std::system(command.c_str()));
+  }
+
+ private:
+  void write(const std::string& name, const std::string& text) { std::ofstream(dir_ / name) << text; }
+
+  void write_files() {
+    for (const GeneratedFile& file : compiled_.files) write(file.name, file.text);
+    write("adapter.cpp", adapter_text(compiled_, options_, model()));
+  }
+
+  std::string model() const { return "V" + compiled_.interface.module; }
+
+  void build_model() {
+    std::string command = "verilator --cc --Mdir " + shell_word((dir_ / "model").string()) +
+                          " --top-module " + compiled_.interface.module +
+                          " -O3 --x-assign unique --x-initial unique -Wno-fatal -y " +
+                          shell_word(HLSC_RTL_LIB_DIR);
+    if (!cosim_.trace.empty()) command += " --trace";
+    for (const GeneratedFile& file : compiled_.files)
+      command += " " + shell_word((dir_ / file.name).string());
+    run_or_throw(command, dir_ / "verilator.log", "Verilator refuses the generated Verilog");
+  }
+
+  void build_program() {
+    std::string root = verilator_root();
+    std::string define_trace = cosim_.trace.empty() ? " -DVM_TRACE=0" : " -DVM_TRACE=1 -DVM_TRACE_VCD=1";
+    // The same words for every design, so that ccache knows the runtime.
+    std::string runtime_flags = " -std=c++17 -O1 -w" + define_trace + " -I" + shell_word(root + "/include") +
+                                " -I" + shell_word(root + "/include/vltstd");
+    std::string flags = runtime_flags + " -I" + shell_word((dir_ / "model").string()) +
+                        " -I" HLSC_COSIM_DIR " -I" HLSC_TYPES_DIR;
+    for (const std::string& include : options_.frontend.include_dirs) flags += " -I" + shell_word(include);
+    for (const std::string& define : options_.frontend.defines) flags += " -D" + shell_word(define);
+    flags += cosim_.trace.empty() ? " -DHLSC_TRACE=0"
+                                  : " -DHLSC_TRACE=1 -DHLSC_TRACE_FILE=" +
+                                        shell_word("\"" + fs::absolute(cosim_.trace).string() + "\"");
+    for (const char* name : {"verilated.cpp", "verilated_threads.cpp"})
+      compile_source(root + "/include/" + name, runtime_flags);
+    if (!cosim_.trace.empty()) compile_source(root + "/include/verilated_vcd_c.cpp", runtime_flags);
+    compile_source(cosim_.test_bench, flags);
+    compile_source((dir_ / "adapter.cpp").string(), flags);
+    for (const auto& entry : fs::directory_iterator(dir_ / "model"))
+      if (entry.path().extension() == ".cpp") compile_source(entry.path().string(), flags);
+    // The test bench may hold the same helper functions as the design.
+    std::string link = std::string(HLSC_CLANG) + " -fuse-ld=lld -Wl,-z,muldefs" + objects_ + " -pthread -o " +
+                       shell_word((dir_ / "simulation").string());
+    run_or_throw(link, dir_ / "link.log", "cannot link the co-simulation");
+  }
+
+  void compile_source(const std::string& source, const std::string& flags) {
+    std::string object = shell_word((dir_ / (fs::path(source).stem().string() + ".o")).string());
+    std::string language = fs::path(source).extension() == ".c" ? " -x c -std=c17" : "";
+    run_or_throw(cxx() + flags + language + " -c " + shell_word(source) + " -o " + object,
+                 dir_ / "compile.log", "cannot compile " + source);
+    objects_ += " " + object;
+  }
+
+  static std::string verilator_root() {
+    FILE* pipe = popen("verilator --getenv VERILATOR_ROOT", "r");
+    if (!pipe) throw CompileError("cannot run verilator; install it");
+    std::string root;
+    for (int c = fgetc(pipe); c != EOF && c != '\n'; c = fgetc(pipe)) root += static_cast<char>(c);
+    pclose(pipe);
+    if (root.empty()) throw CompileError("cannot run verilator; install it");
+    return root;
+  }
+
+  const CompileResult& compiled_;
+  const CompileOptions& options_;
+  const CosimOptions& cosim_;
+  WorkDirectory work_;
+  fs::path dir_;
+  std::string objects_;
+};
+
+}  // namespace
+
+int cosimulate(const CompileResult& compiled, const CompileOptions& options, const CosimOptions& cosim) {
+  return Simulation(compiled, options, cosim).run();
+}
+
+}  // namespace hlsc

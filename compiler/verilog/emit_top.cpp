@@ -1,0 +1,421 @@
+#include "verilog/emit_top.h"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "verilog/emit_process.h"
+#include "verilog/text.h"
+
+namespace hlsc {
+
+PortModes PortModes::from(const std::vector<PortDirective>& directives) {
+  PortModes modes;
+  for (const PortDirective& entry : directives) {
+    Directive& merged = modes.by_port[entry.port.empty() ? "return" : entry.port];
+    for (const auto& [key, value] : entry.directive.options) merged.options[key] = value;
+  }
+  return modes;
+}
+
+std::string PortModes::mode(const std::string& port) const {
+  auto found = by_port.find(port);
+  if (found == by_port.end()) return "";
+  if (found->second.has("mode")) return found->second.text("mode");
+  for (const char* name : {"axis", "ap_fifo", "ap_none", "ap_vld", "ap_memory", "bram", "s_axilite", "m_axi",
+                           "ap_ctrl_none", "ap_ctrl_hs", "ap_ctrl_chain"})
+    if (found->second.has(name)) return name;
+  return "";
+}
+
+namespace {
+
+class TopWriter {
+ public:
+  TopWriter(const FunctionInfo& top, const PortModes& modes) : top_(top), modes_(modes) {
+    interface_.module = top.name;
+    interface_.clock = "ap_clk";
+    std::string control = modes.mode("return");
+    interface_.has_start = control != "ap_ctrl_none";
+    interface_.has_continue = control == "ap_ctrl_chain";
+    for (const Parameter& parameter : top.parameters)
+      if (parameter.is_stream && modes.mode(parameter.name) == "axis") interface_.reset_is_low = true;
+    interface_.reset = interface_.reset_is_low ? "ap_rst_n" : "ap_rst";
+    port("input", 1, interface_.clock);
+    port("input", 1, interface_.reset);
+    if (interface_.has_start)
+      for (const char* name : {"ap_start", "ap_done", "ap_idle", "ap_ready"})
+        port(std::string(name) == "ap_start" ? "input" : "output", 1, name);
+    if (interface_.has_continue) port("input", 1, "ap_continue");
+    body_ << "    wire rst = " << (interface_.reset_is_low ? "~" : "") << interface_.reset << ";\n";
+  }
+
+  TopModule single(const Process& process) {
+    for (const Stream& stream : process.streams)
+      add_stream(stream.name, stream.width, stream.is_input, stream.argument);
+    for (const ScalarPort& scalar : process.scalars) add_scalar(scalar);
+    add_memories(process, {});
+    if (!interface_.has_start) body_ << "    wire ap_start = 1'b1;\n";
+    if (!interface_.has_continue) body_ << "    wire ap_continue = 1'b1;\n";
+    body_ << "\n    " << process.name
+          << " core (\n        .clk(ap_clk),\n        .rst(rst),\n        .ap_start(ap_start),\n        "
+             ".ap_continue(ap_continue),\n";
+    body_ << (interface_.has_start
+                  ? "        .ap_done(ap_done),\n        .ap_idle(ap_idle),\n        .ap_ready(ap_ready)"
+                  : "        .ap_done(),\n        .ap_idle(),\n        .ap_ready()");
+    for (const std::string& name : ports_of(process)) body_ << ",\n        ." << name << "(" << name << ")";
+    body_ << "\n    );\n";
+    return finished();
+  }
+
+  TopModule dataflow(const Region& region, const std::vector<const Process*>& processes) {
+    for (const RegionStream& stream : region.streams) {
+      if (stream.argument >= 0)
+        add_stream(stream.name, stream.width, stream.writer < 0, stream.argument);
+      else
+        add_fifo(stream);
+    }
+    for (const ScalarPort& scalar : region.head.scalars)
+      if (scalar.instance < 0) add_scalar(scalar);
+    add_head(region);
+    size_t count = region.instances.size();
+    for (size_t i = 0; i < count; ++i) add_instance(region, i, *processes[region.instances[i].process]);
+    add_run_control(count);
+    return finished();
+  }
+
+ private:
+  void port(const std::string& direction, unsigned width, const std::string& name) {
+    ports_ << (ports_.str().empty() ? "" : ",\n") << "    " << direction << " wire" << range_text(width)
+           << " " << name;
+  }
+
+  // --- Streams ---
+
+  /// Inside, a stream has FIFO signals (NAME_dout, NAME_empty_n, NAME_read or NAME_din, NAME_full_n,
+  /// NAME_write).
+  void add_stream(const std::string& name, unsigned width, bool is_input, int argument) {
+    InterfaceStream stream;
+    stream.name = name;
+    stream.width = width;
+    stream.is_input = is_input;
+    stream.argument = argument;
+    if (modes_.mode(name) == "axis")
+      add_axis(stream);
+    else
+      add_fifo_port(stream);
+    interface_.streams.push_back(stream);
+  }
+
+  void add_fifo_port(InterfaceStream& stream) {
+    const std::string& name = stream.name;
+    stream.valid = name + (stream.is_input ? "_empty_n" : "_write");
+    stream.ready = name + (stream.is_input ? "_read" : "_full_n");
+    stream.fields = {{name + (stream.is_input ? "_dout" : "_din"), 0, stream.width}};
+    port(stream.is_input ? "input" : "output", stream.width, stream.fields[0].signal);
+    port("input", 1, name + (stream.is_input ? "_empty_n" : "_full_n"));
+    port("output", 1, name + (stream.is_input ? "_read" : "_write"));
+  }
+
+  /// TDATA carries the element in whole bytes; the fields of an ap_axiu have signals of their own.
+  void add_axis(InterfaceStream& stream) {
+    const std::string& name = stream.name;
+    const std::string from = stream.is_input ? "input" : "output", to = stream.is_input ? "output" : "input";
+    stream.valid = name + "_TVALID";
+    stream.ready = name + "_TREADY";
+    const TypeLayout& layout = top_.parameters[stream.argument].layout;
+    bool has_side_channels = layout.type_name.find("ap_axi") != std::string::npos ||
+                             layout.type_name.find("hls::axis") != std::string::npos;
+    unsigned low = 0;
+    for (const Leaf& leaf : layout.leaves) {
+      std::string signal = leaf.name;
+      std::transform(signal.begin(), signal.end(), signal.begin(), ::toupper);
+      if (has_side_channels)
+        stream.fields.push_back({name + "_T" + signal.substr(0, signal.find('.')), low, leaf.width});
+      low += leaf.width;
+    }
+    unsigned padded = (stream.width + 7) / 8 * 8;
+    if (!has_side_channels) stream.fields = {{name + "_TDATA", 0, stream.width}};
+    std::string inner = stream.is_input ? name + "_dout" : name + "_axis_data";
+    body_ << "\n    // " << name << ": AXI4-Stream\n    wire" << range_text(stream.width) << " " << inner
+          << ";\n";
+    for (const InterfaceField& field : stream.fields) {
+      port(from, has_side_channels ? field.width : padded, field.signal);
+      std::string part = field.width == stream.width
+                             ? inner
+                             : inner + "[" + std::to_string(field.low + field.width - 1) + ":" +
+                                   std::to_string(field.low) + "]";
+      std::string outer =
+          has_side_channels ? field.signal : resized_text(field.signal, padded, false, stream.width);
+      if (stream.is_input)
+        body_ << "    assign " << part << " = " << outer << ";\n";
+      else
+        body_ << "    assign " << field.signal << " = "
+              << (has_side_channels ? part : resized_text(inner, stream.width, false, padded)) << ";\n";
+    }
+    port(from, 1, stream.valid);
+    port(to, 1, stream.ready);
+    if (stream.is_input) {
+      body_ << "    wire " << name << "_empty_n = " << stream.valid << ";\n    wire " << name
+            << "_read;\n    assign " << stream.ready << " = " << name << "_read;\n";
+    } else {
+      body_ << "    wire" << range_text(stream.width) << " " << name << "_din;\n    wire " << name
+            << "_full_n, " << name << "_write;\n";
+      fifo(name + "_register", stream.width, 2, {name + "_din", name + "_write", name + "_full_n"},
+           {inner, stream.valid, stream.ready});
+    }
+  }
+
+  struct Handshake {
+    std::string data, valid, ready;
+  };
+  void fifo(const std::string& name, unsigned width, int depth, const Handshake& in, const Handshake& out) {
+    body_ << "    fifo #(\n        .WIDTH(" << width << "),\n        .DEPTH(" << depth << ")\n    ) " << name
+          << " (\n        .clk(ap_clk),\n        .rst(rst),\n        .s_data(" << in.data
+          << "),\n        .s_valid(" << in.valid << "),\n        .s_ready(" << in.ready
+          << "),\n        .m_data(" << out.data << "),\n        .m_valid(" << out.valid
+          << "),\n        .m_ready(" << out.ready << ")\n    );\n";
+  }
+
+  void add_fifo(const RegionStream& stream) {
+    const std::string& name = stream.name;
+    body_ << "\n    // " << name << ": " << stream.depth << " x " << stream.width << "\n    wire"
+          << range_text(stream.width) << " " << name << "_din, " << name << "_dout;\n    wire " << name
+          << "_full_n, " << name << "_write, " << name << "_empty_n, " << name << "_read;\n";
+    fifo(name + "_fifo", stream.width, stream.depth, {name + "_din", name + "_write", name + "_full_n"},
+         {name + "_dout", name + "_empty_n", name + "_read"});
+  }
+
+  // --- Scalars and memories ---
+
+  void add_scalar(const ScalarPort& scalar) {
+    port(scalar.is_output ? "output" : "input", scalar.width, scalar.name);
+    if (scalar.has_valid()) port("output", 1, scalar.name + "_ap_vld");
+    interface_.scalars.push_back(scalar);
+  }
+
+  /// `owners` renames the parameter of a memory: from an instance's own to the top's.
+  void add_memories(const Process& process, const std::vector<std::pair<std::string, int>>& owners) {
+    for (const Memory& memory : process.memories) {
+      if (memory.kind != MemoryKind::kPort || (!memory.is_read && !memory.is_written)) continue;
+      InterfaceMemory outside;
+      outside.name = memory.name;
+      outside.width = memory.width;
+      outside.depth = memory.depth;
+      outside.argument = memory.argument;
+      for (const auto& [name, argument] : owners)
+        if (name == memory.name) outside.argument = argument;
+      const Parameter& parameter = top_.parameters[outside.argument];
+      outside.stride = parameter.layout.bytes;
+      for (const Leaf& leaf : parameter.layout.leaves)
+        if (leaf.byte_offset == memory.byte_offset) outside.leaf = leaf;
+      outside.is_read = memory.is_read;
+      outside.is_written = memory.is_written;
+      unsigned address = address_bits(memory.depth);
+      std::string number = "0";
+      if (memory.is_read) {
+        port("output", address, outside.read_address = memory.name + "_address0");
+        port("output", 1, outside.read_enable = memory.name + "_ce0");
+        port("input", memory.width, outside.read_data = memory.name + "_q0");
+        number = "1";
+      }
+      if (memory.is_written) {
+        port("output", address, outside.write_address = memory.name + "_address" + number);
+        port("output", 1, memory.name + "_ce" + number);
+        port("output", 1, outside.write_enable = memory.name + "_we" + number);
+        port("output", memory.width, outside.write_data = memory.name + "_d" + number);
+      }
+      interface_.memories.push_back(outside);
+    }
+  }
+
+  /// The ports of a process beside clock, reset and control, which have the same names outside.
+  static std::vector<std::string> ports_of(const Process& process) {
+    std::vector<std::string> names = stream_ports_of(process);
+    for (const ScalarPort& scalar : process.scalars) {
+      names.push_back(scalar.name);
+      if (scalar.has_valid()) names.push_back(scalar.name + "_ap_vld");
+    }
+    for (const std::string& name : memory_ports_of(process)) names.push_back(name);
+    return names;
+  }
+  static std::vector<std::string> stream_ports_of(const Process& process) {
+    std::vector<std::string> names;
+    for (const Stream& stream : process.streams)
+      for (const char* suffix : suffixes(stream.is_input)) names.push_back(stream.name + suffix);
+    return names;
+  }
+  static std::vector<const char*> suffixes(bool is_input) {
+    if (is_input) return {"_dout", "_empty_n", "_read"};
+    return {"_din", "_full_n", "_write"};
+  }
+  static std::vector<std::string> memory_ports_of(const Process& process) {
+    std::vector<std::string> names;
+    for (const Memory& memory : process.memories) {
+      if (memory.kind != MemoryKind::kPort) continue;
+      std::string number = memory.is_read ? "1" : "0";
+      if (memory.is_read)
+        for (const char* suffix : {"_address0", "_ce0", "_q0"}) names.push_back(memory.name + suffix);
+      if (memory.is_written)
+        for (const char* suffix : {"_address", "_ce", "_we", "_d"})
+          names.push_back(memory.name + suffix + number);
+    }
+    return names;
+  }
+
+  // --- A dataflow region ---
+
+  void add_head(const Region& region) {
+    body_ << "\n    // Scalars of a run, taken when it starts.\n";
+    bool has_outputs = false;
+    for (const ScalarPort& scalar : region.head.scalars) {
+      if (scalar.instance < 0) continue;
+      body_ << "    wire" << range_text(scalar.width) << " " << scalar.name << ";\n";
+      has_outputs = true;
+    }
+    if (!interface_.has_start) body_ << "    wire ap_start = 1'b1;\n";
+    head_is_combinational_ = is_combinational(region.head);
+    body_ << "    wire starts_free, run_starts;\n";
+    if (!head_is_combinational_)
+      body_ << "    wire head_done;\n    assign run_starts = head_done & starts_free;\n";
+    if (head_is_combinational_) body_ << "    assign run_starts = ap_start & starts_free;\n";
+    if (head_is_combinational_ && !has_outputs) return;
+    body_ << "    " << region.head.name << " head (\n";
+    std::string separator = "        ";
+    if (!head_is_combinational_) {
+      body_ << "        .clk(ap_clk),\n        .rst(rst),\n        .ap_start(ap_start),\n        "
+               ".ap_continue(starts_free),\n        .ap_done(head_done),\n        .ap_idle(),\n        "
+               ".ap_ready()";
+      separator = ",\n        ";
+    }
+    std::set<int> by_instance = outputs_of_instances(region);
+    for (size_t i = 0; i < region.head.scalars.size(); ++i) {
+      if (by_instance.count(i)) continue;
+      const ScalarPort& scalar = region.head.scalars[i];
+      body_ << separator << "." << scalar.name << "(" << scalar.name << ")";
+      separator = ",\n        ";
+      if (scalar.has_valid())
+        body_ << separator << "." << scalar.name << "_ap_vld(" << scalar.name << "_ap_vld)";
+    }
+    body_ << "\n    );\n";
+  }
+
+  /// Outputs of the top that an instance drives, not the head.
+  static std::set<int> outputs_of_instances(const Region& region) {
+    std::set<int> driven;
+    for (const Instance& instance : region.instances)
+      for (int scalar : instance.scalars)
+        if (region.head.scalars[scalar].instance < 0) driven.insert(scalar);
+    return driven;
+  }
+
+  void add_instance(const Region& region, size_t index, const Process& process) {
+    const Instance& instance = region.instances[index];
+    const std::string& name = instance.name;
+    std::vector<std::string> inputs;
+    unsigned width = 0;
+    for (size_t i = 0; i < process.scalars.size(); ++i) {
+      if (process.scalars[i].is_output) continue;
+      inputs.push_back(region.head.scalars[instance.scalars[i]].name);
+      width += process.scalars[i].width;
+    }
+    std::string start = name + "_start", done = name + "_done", ready = name + "_start_free";
+    body_ << "\n    wire " << start << ", " << done << ", " << ready << ";\n";
+    std::string data = "1'b0", taken;
+    if (width) {
+      taken = name + "_scalars";
+      body_ << "    wire" << range_text(width) << " " << taken << ";\n";
+      data = "{";
+      for (size_t i = inputs.size(); i-- > 0;) data += inputs[i] + (i ? ", " : "}");
+    }
+    fifo(name + "_starts", std::max(1u, width), width > 64 ? 5 : 2, {data, "run_starts", ready},
+         {taken, start, done});
+    body_ << "    " << process.name << " " << name
+          << " (\n        .clk(ap_clk),\n        .rst(rst),\n        .ap_start(" << start
+          << "),\n        .ap_continue(1'b1),\n        .ap_done(" << done
+          << "),\n        .ap_idle(),\n        .ap_ready()";
+    for (size_t i = 0; i < process.streams.size(); ++i)
+      for (const char* suffix : suffixes(process.streams[i].is_input))
+        body_ << ",\n        ." << process.streams[i].name << suffix << "("
+              << region.streams[instance.streams[i]].name << suffix << ")";
+    unsigned low = 0;
+    for (size_t i = 0; i < process.scalars.size(); ++i) {
+      const ScalarPort& scalar = process.scalars[i];
+      const std::string& outside = region.head.scalars[instance.scalars[i]].name;
+      if (scalar.is_output) {
+        body_ << ",\n        ." << scalar.name << "(" << outside << ")";
+        if (scalar.has_valid()) body_ << ",\n        ." << scalar.name << "_ap_vld(" << outside << "_ap_vld)";
+        continue;
+      }
+      std::string part = width == 1          ? taken
+                         : scalar.width == 1 ? taken + "[" + std::to_string(low) + "]"
+                                             : taken + "[" + std::to_string(low + scalar.width - 1) + ":" +
+                                                   std::to_string(low) + "]";
+      body_ << ",\n        ." << scalar.name << "(" << part << ")";
+      low += scalar.width;
+    }
+    add_memories(process, instance.memories);
+    for (const std::string& memory_port : memory_ports_of(process))
+      body_ << ",\n        ." << memory_port << "(" << memory_port << ")";
+    body_ << "\n    );\n";
+    dones_.push_back(done);
+    frees_.push_back(ready);
+  }
+
+  /// Counts the runs each instance has finished; the region's run is done when all have finished it.
+  void add_run_control(size_t count) {
+    std::string free, all;
+    body_ << "\n    // Runs that an instance has finished and the region has not; at most 7 are under way.\n";
+    for (size_t i = 0; i < count; ++i) {
+      std::string counter = "finished_" + std::to_string(i);
+      body_ << "    reg [2:0] " << counter << ";\n";
+      free += (i ? " & " : "") + frees_[i];
+      all += (i ? " & " : "") + ("(" + counter + " != 3'd0)");
+    }
+    std::string proceed = interface_.has_continue ? "ap_continue" : "1'b1";
+    body_ << "    reg [2:0] under_way;\n    assign starts_free = " << free
+          << " & (under_way != 3'd7);\n    wire run_done = " << all << ";\n    wire run_leaves = run_done & "
+          << proceed << ";\n";
+    if (interface_.has_start)
+      body_ << "    assign ap_done = run_done;\n    assign ap_ready = run_starts;\n    assign ap_idle = "
+               "(under_way == 3'd0);\n";
+    body_ << "    always @(posedge ap_clk) begin\n";
+    for (size_t i = 0; i < count; ++i)
+      body_ << "        finished_" << i << " <= finished_" << i << " + {2'd0, " << dones_[i]
+            << "} - {2'd0, run_leaves};\n";
+    body_ << "        under_way <= under_way + {2'd0, run_starts} - {2'd0, run_leaves};\n        if (rst) "
+             "begin\n            under_way <= 3'd0;\n";
+    for (size_t i = 0; i < count; ++i) body_ << "            finished_" << i << " <= 3'd0;\n";
+    body_ << "        end\n    end\n";
+  }
+
+  TopModule finished() {
+    std::ostringstream out;
+    out << "// " << top_.name << ": top of the design, " << top_.qualified
+        << ". Generated by floorline-hlsc; do not edit.\n\n`default_nettype none\n\nmodule " << top_.name
+        << " (\n"
+        << ports_.str() << "\n);\n\n"
+        << body_.str() << "\nendmodule\n\n`default_nettype wire\n";
+    return {out.str(), interface_};
+  }
+
+  const FunctionInfo& top_;
+  const PortModes& modes_;
+  TopInterface interface_;
+  bool head_is_combinational_ = false;
+  std::vector<std::string> dones_, frees_;
+  std::ostringstream ports_, body_;
+};
+
+}  // namespace
+
+TopModule emit_single_top(const FunctionInfo& top, const Process& process, const PortModes& modes) {
+  return TopWriter(top, modes).single(process);
+}
+
+TopModule emit_dataflow_top(const FunctionInfo& top, const Region& region,
+                            const std::vector<const Process*>& processes, const PortModes& modes) {
+  return TopWriter(top, modes).dataflow(region, processes);
+}
+
+}  // namespace hlsc

@@ -1,0 +1,40 @@
+/// The top module: instances of the processes, the FIFOs between them, and ports under Vitis' names.
+#ifndef HLSC_VERILOG_EMIT_TOP_H
+#define HLSC_VERILOG_EMIT_TOP_H
+
+#include <string>
+#include <vector>
+
+#include "design/design.h"
+#include "frontend/frontend.h"
+#include "middle/directives_to_ir.h"
+#include "verilog/interface.h"
+
+namespace hlsc {
+
+struct TopModule {
+  std::string text;
+  TopInterface interface;
+};
+
+/// How the ports of the top look, from the INTERFACE directives.
+struct PortModes {
+  std::map<std::string, Directive> by_port;  ///< Parameter name or "return".
+
+  static PortModes from(const std::vector<PortDirective>& directives);
+  /// "axis", "ap_fifo", "ap_none", "ap_vld", "ap_memory", "ap_ctrl_hs", ...; empty when not given.
+  std::string mode(const std::string& port) const;
+};
+
+/// A top that is one process: the process with other port names.
+TopModule emit_single_top(const FunctionInfo& top, const Process& process, const PortModes& modes);
+
+/// A dataflow region. A start of the region puts the scalars of the run into a FIFO before each instance; an
+/// instance runs when its FIFO holds a start and its streams allow, so the first may be runs ahead of the
+/// last. The region is done when all instances are.
+TopModule emit_dataflow_top(const FunctionInfo& top, const Region& region,
+                            const std::vector<const Process*>& processes, const PortModes& modes);
+
+}  // namespace hlsc
+
+#endif
