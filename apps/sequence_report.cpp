@@ -59,9 +59,19 @@ report::StagePictures stage_pictures(const StagePair& pair, int stage) {
           difference * stage_views[stage].amplification, caption};
 }
 
-std::vector<report::Stage> describe_stages(const std::vector<report::Figure>& figures) {
+/// Without erosion that kernel passes its input on, which is not worth a row.
+std::vector<int> shown_stages(const Settings& settings) {
+  std::vector<int> stages;
+  for (int stage = 0; stage < kImageStages; ++stage) {
+    if (stage != static_cast<int>(ImageStage::erode) || settings.erode) stages.push_back(stage);
+  }
+  return stages;
+}
+
+std::vector<report::Stage> describe_stages(const std::vector<int>& shown,
+                                           const std::vector<report::Figure>& figures) {
   std::vector<report::Stage> stages;
-  for (int i = 0; i < kImageStages; ++i)
+  for (const int i : shown)
     stages.push_back({std::string(stage_bounds()[i].name),
                       stage_views[i].description,
                       stage_views[i].amplification,
@@ -155,13 +165,13 @@ void add_readings(report::Frame& shown, const CheckedFrame& frame) {
   }
 }
 
-report::Frame shown_frame(const CheckedFrame& frame, double range) {
+report::Frame shown_frame(const CheckedFrame& frame, const std::vector<int>& stages, double range) {
   report::Frame shown;
   shown.index = frame.input.index;
   shown.timestamp_s = frame.input.timestamp_s;
   shown.camera = frame.input.image;
   shown.pose = planar_vector(frame.input.world_from_robot);
-  for (int stage = 0; stage < kImageStages; ++stage)
+  for (const int stage : stages)
     shown.stages.push_back(stage_pictures(frame.stages[stage], stage));
   add_findings(shown, frame, range);
   add_readings(shown, frame);
@@ -245,7 +255,10 @@ DetectionScore scored(const ReportRequest& request, const Settings& settings, co
 void add_scores(report::Document& document, const ReportRequest& request) {
   const DetectionScore ours = scored(request, request.settings, "score");
   const DetectionScore paper = scored(request, paper_settings(), "score the paper's rule");
-  for (const report::Figure& figure : score_figures(ours)) document.figures.push_back(figure);
+  for (const report::Figure& figure : score_figures(ours)) {
+    document.figures.push_back(figure);
+    document.headline.push_back(figure);
+  }
   if (ours.has_contacts) {
     document.tables.push_back(detection_table(ours, paper));
     document.histograms.push_back(report::make_histogram("Distance of reports from the true foot, within 3 m",
@@ -254,9 +267,20 @@ void add_scores(report::Document& document, const ReportRequest& request) {
   document.tables.push_back(mask_table(ours, paper));
 }
 
+/// One tile for all kernels, one for the whole pipeline, which is the last figure.
+std::vector<report::Figure> check_headline(const std::vector<report::Figure>& figures) {
+  const auto kernels = static_cast<double>(figures.size() - 1);
+  const auto kept = static_cast<double>(
+      std::count_if(figures.begin(), figures.end() - 1, [](const auto& figure) { return figure.ok(); }));
+  return {{"kernels", "kernels that keep their bound against golden", kept, report::Relation::at_least,
+           kernels, ""},
+          figures.back()};
+}
+
 /// Everything that needs the frames themselves: pictures, marks, map, figures of the check.
-void add_check(report::Document& document, Drive& drive, int most_frames) {
-  const std::set<int> chosen = chosen_frames(drive, most_frames);
+void add_check(report::Document& document, Drive& drive, const ReportRequest& request) {
+  const std::set<int> chosen = chosen_frames(drive, request.frames);
+  const std::vector<int> stages = shown_stages(request.settings);
   const double range = 1.5 * shown_range(drive);
   std::vector<render::TrueFrame> truth;
   if (const auto folder = drive.sequence().truth_folder();
@@ -267,11 +291,12 @@ void add_check(report::Document& document, Drive& drive, int most_frames) {
     if (frame.input.plan.mature)
       grid.add(planar(frame.input.world_from_robot), floor_rays(frame.input.golden, frame.kernel.points), {});
     if (chosen.count(frame.input.index) == 0) return;
-    document.frames.push_back(shown_frame(frame, range));
+    document.frames.push_back(shown_frame(frame, stages, range));
     if (!truth.empty()) add_truth(document.frames.back(), truth.at(frame.input.index));
   });
   document.figures = result.figures;
-  document.stages = describe_stages(result.figures);
+  document.headline = check_headline(result.figures);
+  document.stages = describe_stages(stages, result.figures);
   document.grids = {trimmed(grid_picture(grid, drive))};
   document.histograms.push_back(report::make_histogram("Contact points, kernels against golden", "px",
                                                        result.contact_distances, 0, 4, 16));
@@ -301,7 +326,7 @@ report::Document make_document(const ReportRequest& request) {
   for (const golden::Line& line : drive.configuration().golden_parameters({}).lines)
     document.lines.push_back({static_cast<double>(line.first.x), static_cast<double>(line.first.y),
                               static_cast<double>(line.last.x), static_cast<double>(line.last.y)});
-  add_check(document, drive, request.frames);
+  add_check(document, drive, request);
   if (drive.sequence().truth_folder()) add_scores(document, request);
   document.parameters = describe(request.settings);
   return document;

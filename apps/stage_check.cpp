@@ -141,6 +141,16 @@ double birdseye_error(const std::vector<golden::FloorPoint>& expected,
   return worst;
 }
 
+/// The points as the cluster kernel compares them: coordinates cut down to Q8.9 (hls/cluster.h).
+std::vector<golden::FloorPoint> cut_for_clustering(std::vector<golden::FloorPoint> points) {
+  constexpr double steps_per_metre = 512;
+  for (golden::FloorPoint& point : points) {
+    point.x = std::floor(point.x * steps_per_metre) / steps_per_metre;
+    point.y = std::floor(point.y * steps_per_metre) / steps_per_metre;
+  }
+  return points;
+}
+
 /// Obstacles whose lines or representative differ from the golden ones.
 double cluster_faults(const std::vector<golden::Obstacle>& expected, const std::vector<Obstacle>& obstacles) {
   double faults = std::abs(static_cast<double>(expected.size()) - static_cast<double>(obstacles.size()));
@@ -210,7 +220,7 @@ void StageCheck::check_results(const golden::Parameters& parameters, const Stage
   note(polar_stage, polar_faults(golden::polar(from_bits(capture.region), parameters.lines, parameters.rule),
                                  contacts, output.counts));
   note(birdseye_stage, birdseye_error(golden::birdseye(contacts, parameters.birdseye), output.points));
-  note(cluster_stage, cluster_faults(golden::cluster(in_natural_units(output.points),
+  note(cluster_stage, cluster_faults(golden::cluster(cut_for_clustering(in_natural_units(output.points)),
                                                      parameters.cluster_gap_m, parameters.min_lines),
                                      output.obstacles));
 }

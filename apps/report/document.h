@@ -98,7 +98,8 @@ struct Document {
   std::string title;
   std::string subtitle;
   int image_width = 0, image_height = 0;
-  std::vector<Figure> figures;  ///< Verdict tiles and the first table.
+  std::vector<Figure> headline;  ///< Tiles at the top.
+  std::vector<Figure> figures;   ///< Verdict and the first table.
   std::vector<Stage> stages;
   std::vector<Frame> frames;
   std::vector<WalkLine> lines;

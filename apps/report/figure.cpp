@@ -8,12 +8,14 @@ namespace floorline::report {
 namespace {
 
 std::string with_unit(double value, const std::string& unit) {
-  return unit.empty() ? format_value(value) : format_value(value) + " " + unit;
+  return unit.empty() || !std::isfinite(value) ? format_value(value) : format_value(value) + " " + unit;
 }
 
 }  // namespace
 
-std::string format_value(double value, int digits) { return fmt::format("{:.{}g}", value, digits); }
+std::string format_value(double value, int digits) {
+  return std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "none";
+}
 
 std::string Figure::bound_text() const {
   return (relation == Relation::at_least ? ">= " : "<= ") + with_unit(bound, unit);

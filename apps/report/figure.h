@@ -26,7 +26,8 @@ struct Figure {
 /// Members name, label, value (null when not a number), bound (text), unit, verdict ("ok" or "short").
 nlohmann::json to_json(const Figure& figure);
 
-/// Up to `digits` significant digits without trailing zeros: 0.9931, 12, 3.25e-05.
+/// Up to `digits` significant digits without trailing zeros: 0.9931, 12, 3.25e-05; "none" for what is not a
+/// number.
 std::string format_value(double value, int digits = 4);
 
 }  // namespace floorline::report

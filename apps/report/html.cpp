@@ -12,27 +12,31 @@ namespace {
 
 using nlohmann::json;
 
-/// Shrinks to kPictureWidth by the mean; by the maximum when `keep_peaks`, so that a lone different pixel
-/// stays visible.
-cv::Mat fitted(const cv::Mat& picture, bool keep_peaks) {
-  if (picture.cols <= kPictureWidth) return picture;
-  const int height = picture.rows * kPictureWidth / picture.cols;
-  if (!keep_peaks) {
-    cv::Mat small;
-    cv::resize(picture, small, cv::Size(kPictureWidth, height), 0, 0, cv::INTER_AREA);
-    return small;
-  }
-  const int reach = (picture.cols + kPictureWidth - 1) / kPictureWidth;
-  cv::Mat spread, small;
-  cv::dilate(picture, spread, cv::Mat::ones(reach, reach, CV_8U));
-  cv::resize(spread, small, cv::Size(kPictureWidth, height), 0, 0, cv::INTER_NEAREST);
+/// Size on the page.
+cv::Size fitted(cv::Size size) {
+  return size.width <= kPictureWidth ? size
+                                     : cv::Size(kPictureWidth, size.height * kPictureWidth / size.width);
+}
+
+cv::Mat shrunk(const cv::Mat& picture, cv::InterpolationFlags interpolation) {
+  cv::Mat small;
+  cv::resize(picture, small, fitted(picture.size()), 0, 0, interpolation);
   return small;
 }
 
-/// Masks and flat pictures hold few grey levels and compress better, and without fringes, as PNG.
-std::string picture_uri(const cv::Mat& picture) {
-  const cv::Mat small = fitted(picture, false);
-  return picture.channels() == 1 ? webp_uri(small) : png_uri(small);
+std::string photograph(const cv::Mat& picture) { return photograph_uri(shrunk(picture, cv::INTER_AREA)); }
+
+/// Grey pictures are photographs; coloured ones are masks, whose few colours must stay what they are.
+std::string stage_picture(const cv::Mat& picture) {
+  return picture.channels() == 1 ? photograph(picture) : lossless_uri(shrunk(picture, cv::INTER_NEAREST));
+}
+
+/// Spreads the maximum before it shrinks, so that a lone different pixel stays visible.
+std::string difference_picture(const cv::Mat& difference) {
+  const int reach = (difference.cols + kPictureWidth - 1) / kPictureWidth;
+  cv::Mat spread;
+  cv::dilate(difference, spread, cv::Mat::ones(reach, reach, CV_8U));
+  return lossless_uri(shrunk(spread, cv::INTER_NEAREST));
 }
 
 /// ">= 0.9" as people write it: "≥ 0.9".
@@ -59,16 +63,16 @@ struct PageData {
   static json of(const TrueFoot& foot) { return {{"kind", foot.kind}, {"contact", of(foot.contact)}}; }
 
   static json of(const StagePictures& pictures) {
-    return {{"kernel", picture_uri(pictures.kernel)},
-            {"golden", picture_uri(pictures.golden)},
-            {"difference", png_uri(fitted(pictures.difference, true))},
+    return {{"kernel", stage_picture(pictures.kernel)},
+            {"golden", stage_picture(pictures.golden)},
+            {"difference", difference_picture(pictures.difference)},
             {"caption", pictures.caption}};
   }
 
   static json of(const Frame& frame) {
     return {{"index", frame.index},
             {"timestamp", frame.timestamp_s},
-            {"camera", webp_uri(fitted(frame.camera, false))},
+            {"camera", photograph(frame.camera)},
             {"stages", list(frame.stages)},
             {"kernelContacts", list(frame.kernel_contacts)},
             {"goldenContacts", list(frame.golden_contacts)},
@@ -95,7 +99,7 @@ struct PageData {
   }
 
   static json of(const Grid& grid) {
-    return {{"picture", png_uri(grid.picture)},
+    return {{"picture", lossless_uri(grid.picture)},
             {"origin", of(grid.origin)},
             {"width", grid.picture.cols * grid.resolution_m},
             {"height", grid.picture.rows * grid.resolution_m}};
@@ -113,13 +117,21 @@ struct PageData {
   static json of(const Parameter& parameter) { return {parameter.name, parameter.value, parameter.meaning}; }
 
   static json of(const Document& document) {
-    return {{"title", document.title},           {"subtitle", document.subtitle},
-            {"width", document.image_width},     {"height", document.image_height},
-            {"figures", list(document.figures)}, {"stages", list(document.stages)},
-            {"frames", list(document.frames)},   {"lines", list(document.lines)},
-            {"path", list(document.path)},       {"fieldOfView", of(document.field_of_view)},
-            {"grids", list(document.grids)},     {"histograms", list(document.histograms)},
-            {"tables", list(document.tables)},   {"parameters", list(document.parameters)},
+    return {{"title", document.title},
+            {"subtitle", document.subtitle},
+            {"width", document.image_width},
+            {"height", document.image_height},
+            {"headline", list(document.headline)},
+            {"figures", list(document.figures)},
+            {"stages", list(document.stages)},
+            {"frames", list(document.frames)},
+            {"lines", list(document.lines)},
+            {"path", list(document.path)},
+            {"fieldOfView", of(document.field_of_view)},
+            {"grids", list(document.grids)},
+            {"histograms", list(document.histograms)},
+            {"tables", list(document.tables)},
+            {"parameters", list(document.parameters)},
             {"hardware", document.hardware}};
   }
 };

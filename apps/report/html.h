@@ -11,8 +11,8 @@ namespace floorline::report {
 /// Pictures wider than this are scaled down: a page of 24 VGA frames with six stages stays below 15 MB.
 constexpr int kPictureWidth = 640;
 
-/// Photographs become WebP, pictures of few values PNG. Throws std::runtime_error when a picture cannot be
-/// encoded.
+/// Pictures become WebP, masks and differences without loss. Throws std::runtime_error when a picture cannot
+/// be encoded.
 std::string to_html(const Document& document);
 
 }  // namespace floorline::report

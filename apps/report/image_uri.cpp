@@ -19,14 +19,12 @@ std::string base64(const std::vector<unsigned char>& bytes) {
   return text;
 }
 
-std::string encoded(const cv::Mat& picture, const char* extension, std::string_view media_type,
-                    const std::vector<int>& settings) {
+/// quality: 1 to 100, or 101 for lossless.
+std::string webp_uri(const cv::Mat& picture, int quality) {
   std::vector<unsigned char> bytes;
-  if (!cv::imencode(extension, picture, bytes, settings)) {
-    throw std::runtime_error("a picture of the report could not be encoded as " + std::string(media_type) +
-                             ".");
-  }
-  return data_uri(media_type, bytes);
+  if (!cv::imencode(".webp", picture, bytes, {cv::IMWRITE_WEBP_QUALITY, quality}))
+    throw std::runtime_error("a picture of the report could not be encoded as WebP.");
+  return data_uri("image/webp", bytes);
 }
 
 }  // namespace
@@ -35,12 +33,8 @@ std::string data_uri(std::string_view media_type, const std::vector<unsigned cha
   return "data:" + std::string(media_type) + ";base64," + base64(bytes);
 }
 
-std::string png_uri(const cv::Mat& picture) {
-  return encoded(picture, ".png", "image/png", {cv::IMWRITE_PNG_COMPRESSION, 9});
-}
+std::string lossless_uri(const cv::Mat& picture) { return webp_uri(picture, 101); }
 
-std::string webp_uri(const cv::Mat& picture) {
-  return encoded(picture, ".webp", "image/webp", {cv::IMWRITE_WEBP_QUALITY, 80});
-}
+std::string photograph_uri(const cv::Mat& picture) { return webp_uri(picture, 80); }
 
 }  // namespace floorline::report

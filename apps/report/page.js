@@ -34,7 +34,7 @@ function head() {
   const verdict = data.figures.length === 0 ? null :
       missed === 0 ? html('span', {class: 'verdict ok'}, `✓ all ${data.figures.length} bounds kept`) :
                      html('span', {class: 'verdict short'}, `${missed} of ${data.figures.length} bounds missed`);
-  const tiles = data.figures.map(figure => html('div', {class: `tile ${figure.verdict}`},
+  const tiles = data.headline.map(figure => html('div', {class: `tile ${figure.verdict}`},
       html('div', {class: 'label'}, figure.label),
       html('div', {class: 'value'}, figure.value),
       html('div', {class: 'bound'}, figure.verdict === 'ok' ? `bound ${figure.bound}` : `short of ${figure.bound}`)));
@@ -43,6 +43,8 @@ function head() {
       html('div', {class: 'quiet'}, data.subtitle),
       html('div', {class: 'tiles'}, ...tiles));
 }
+
+const wide = data.width / data.height > 2;  // Image above the map instead of beside it.
 
 // --- Camera image with contact points -------------------------------------------------------------------------------
 
@@ -66,15 +68,25 @@ function cameraView() {
 }
 
 // --- Floor map ------------------------------------------------------------------------------------------------------
-// World coordinates in metres, turned so that the robot's first heading points up.
+// World coordinates in metres, turned so that the robot's first heading points up, or to the right for a long straight way.
 
 const first = data.path.length ? data.path[0] : [0, 0, 0];
-function toMap([x, y]) {
+/** World coordinates as metres ahead of and to the left of the robot's first place. */
+function aheadAndLeft([x, y]) {
   const dx = x - first[0], dy = y - first[1], c = Math.cos(first[2]), s = Math.sin(first[2]);
-  return [s * dx - c * dy, -(c * dx + s * dy)];
+  return [c * dx + s * dy, -s * dx + c * dy];
 }
 function toWorld([px, py, yaw], [x, y]) {
   return [px + Math.cos(yaw) * x - Math.sin(yaw) * y, py + Math.sin(yaw) * x + Math.cos(yaw) * y];
+}
+const sideways = (() => {
+  const way = data.path.map(aheadAndLeft);
+  const length = Math.max(...way.map(point => Math.abs(point[0])), 0), breadth = Math.max(...way.map(point => Math.abs(point[1])), 0);
+  return length > 20 && length > 2 * breadth;
+})();
+function toMap(point) {
+  const [ahead, left] = aheadAndLeft(point);
+  return sideways ? [ahead, -left] : [-left, -ahead];
 }
 const onMap = (pose, points) => points.map(point => toMap(toWorld(pose, point)));
 
@@ -103,7 +115,7 @@ function mapFrame(extent, width, build) {
   for (let x = Math.ceil(extent.left / step); x * step <= extent.right; ++x) {
     const [at] = px([x * step, 0]);
     axes.push(svg('line', {x1: at, x2: at, y1: 8, y2: 8 + height, class: 'axis'}),
-        svg('text', {x: at, y: height + 23, 'text-anchor': 'middle'}, String(round(-x * step))));
+        svg('text', {x: at, y: height + 23, 'text-anchor': 'middle'}, String(round((sideways ? x : -x) * step))));
   }
   for (let y = Math.ceil(extent.top / step); y * step <= extent.bottom; ++y) {
     const [, at] = px([0, y * step]);
@@ -114,7 +126,7 @@ function mapFrame(extent, width, build) {
   const inside = svg('g', {'clip-path': `url(#${clip})`}, ...build(px, scale));
   return svg('svg', {viewBox: `0 0 ${width} ${height + 42}`},
       svg('clipPath', {id: clip}, svg('rect', {x: gutter, y: 8, width: width - gutter - 8, height})), ...axes, inside,
-      svg('text', {x: gutter, y: height + 38}, '← left, metres'), svg('text', {x: width - 8, y: height + 38, 'text-anchor': 'end'}, '↑ forward, metres'));
+      svg('text', {x: width - 8, y: height + 38, 'text-anchor': 'end'}, sideways ? 'metres ahead →, to the left ↑' : 'metres to the left ←, ahead ↑'));
 }
 
 const pathLine = px => svg('polyline', {points: polyline(data.path.map(toMap).map(px)), class: 'path'});
@@ -129,7 +141,7 @@ function robotMark(px, [x, y, yaw]) {
 function floorMap() {
   const dynamic = svg('g');
   let px;
-  const picture = mapFrame(mapExtent(), 560, project => {
+  const picture = mapFrame(mapExtent(), wide ? 1300 : 560, project => {
     px = project;
     return [pathLine(px), dynamic];
   });
@@ -165,7 +177,7 @@ function viewSection() {
   const readings = html('div', {class: 'readings'});
   watchers.push(frame => readings.replaceChildren(...frame.readings.map(([name, value]) => html('span', {}, name, html('b', {}, value)))));
   return section('What the system sees', null,
-      html('div', {class: data.width / data.height > 2 ? 'view wide' : 'view'}, html('div', {}, cameraView(), readings), floorMap()), legend());
+      html('div', {class: wide ? 'view wide' : 'view'}, html('div', {}, cameraView(), readings), floorMap()), legend());
 }
 
 // --- Stages ---------------------------------------------------------------------------------------------------------
@@ -246,16 +258,16 @@ function gridSection() {
   const corners = [[x, y], [x + grid.width, y], [x, y + grid.height], [x + grid.width, y + grid.height]].map(toMap);
   const extent = {left: Math.min(...corners.map(c => c[0])), right: Math.max(...corners.map(c => c[0])),
       top: Math.min(...corners.map(c => c[1])), bottom: Math.max(...corners.map(c => c[1]))};
-  const turn = 90 - first[2] * 180 / Math.PI;
-  const map = mapFrame(extent, 760, (px, scale) => {
+  const turn = first[2] * 180 / Math.PI - (sideways ? 0 : 90);
+  const map = mapFrame(extent, wide ? 1300 : 760, (px, scale) => {
     // The picture's row 0 lies at the greatest Y: its upper left corner is (x, y + height) in the world.
     const [u, v] = px(toMap([x, y + grid.height]));
     const image = svg('image', {href: grid.picture, width: grid.width * scale, height: grid.height * scale, 'image-rendering': 'pixelated',
-        preserveAspectRatio: 'none', transform: `translate(${u},${v}) rotate(${-turn})`});
+        preserveAspectRatio: 'none', transform: `translate(${u},${v}) rotate(${turn})`});
     return [image, pathLine(px)];
   });
   return section('Occupancy grid', 'After the last frame: dark is occupied, light is proved free by the lines, grey is unknown.',
-      html('div', {class: 'card map', style: 'max-width: 760px'}, map));
+      html('div', {class: 'card map', style: `max-width: ${wide ? 1304 : 760}px`}, map));
 }
 
 function hardwareSection() {
