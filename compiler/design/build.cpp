@@ -11,8 +11,9 @@
 #include "design/names.h"
 #include "middle/array_access.h"
 #include "middle/llvm_headers.h"
+#include "middle/primitives.h"
 #include "middle/source_location.h"
-#include "middle/stream_lowering.h"
+
 
 namespace hlsc {
 namespace {
@@ -122,8 +123,8 @@ class ProcessBuilder {
       }
     }
     if (!function_.getReturnType()->isVoidTy()) {
-      unsigned width = info_->result.leaves.size() == 1 ? info_->result.leaves[0].width
-                                                        : function_.getReturnType()->getIntegerBitWidth();
+      bool is_lone = info_->result.leaves.size() == 1;
+      unsigned width = is_lone ? info_->result.leaves[0].width : returned_bits(function_.getReturnType());
       result_port_ = process_.scalars.size();
       process_.scalars.push_back({"ap_return", width, false, true, true, -1, 0, -1, -1});
     }
@@ -149,12 +150,16 @@ class ProcessBuilder {
     bool lone = parameter.layout.leaves.size() == 1;
     unsigned type_width = argument.getType()->getIntegerBitWidth();
     ScalarPort port;
-    port.name = names_.unique(lone ? parameter.name : argument.getName().str());
-    port.width = lone ? std::min(parameter.layout.leaves[0].width, type_width) : type_width;
-    port.is_signed = lone && parameter.layout.leaves[0].is_signed;
+    unsigned width = lone ? parameter.layout.leaves[0].width : type_width;
+    bool is_second_half = argument.getName().ends_with(".coerce1");
+    bool is_split = lone && width > type_width;
+    std::string half = is_second_half ? "_1" : "_0";
+    port.name = names_.unique(lone && !is_split ? parameter.name : parameter.name + half);
+    port.width = is_second_half && lone ? width - 64 : std::min(width, type_width);
+    port.is_signed = lone && !is_split && parameter.layout.leaves[0].is_signed;
     port.argument = index;
     port.llvm_argument = argument.getArgNo();
-    if (argument.getName().ends_with(".coerce1")) port.byte_offset = 8;
+    if (is_second_half) port.byte_offset = 8;
     values_[&argument] = add_input(port, type_width);
   }
 
@@ -429,15 +434,6 @@ class ProcessBuilder {
     return isa<StoreInst>(instruction) || (call && primitive_of(*call) == Primitive::kStore);
   }
 
-  static Value* accessed_pointer(Instruction& instruction) {
-    if (auto* load = dyn_cast<LoadInst>(&instruction)) return load->getPointerOperand();
-    if (auto* store = dyn_cast<StoreInst>(&instruction)) return store->getPointerOperand();
-    auto* call = dyn_cast<CallInst>(&instruction);
-    if (call && (primitive_of(*call) == Primitive::kLoad || primitive_of(*call) == Primitive::kStore))
-      return call->getArgOperand(0);
-    return nullptr;
-  }
-
   Address decode(Value* pointer, const Instruction& access) {
     if (is_element_address(pointer)) return decode_element(*cast<CallInst>(pointer), access);
     APInt constant(64, 0);
@@ -693,10 +689,36 @@ class ProcessBuilder {
     if (auto* ret = dyn_cast<ReturnInst>(block.getTerminator()); ret && ret->getReturnValue()) {
       Operation output;
       output.kind = OpKind::kOutput;
-      output.operands = {value_of(ret->getReturnValue())};
+      output.operands = {returned_value(*ret)};
       output.object = result_port_;
       add(output, *ret, "result");
     }
+  }
+
+  /// Structs of up to 16 bytes return in one or two integers, which hold them as memory does.
+  static unsigned returned_bits(Type* type) {
+    auto* structure = dyn_cast<StructType>(type);
+    if (!structure) return type->isIntegerTy() ? type->getIntegerBitWidth() : 1;
+    unsigned bits = 0;
+    for (Type* element : structure->elements()) bits += element->isIntegerTy() ? element->getIntegerBitWidth() : 0;
+    return bits;
+  }
+
+  ValueId returned_value(ReturnInst& ret) {
+    Value* value = ret.getReturnValue();
+    auto* structure = dyn_cast<StructType>(value->getType());
+    if (!structure) return value_of(value);
+    unsigned width = returned_bits(structure), low = 0;
+    ValueId all = constant_value(APInt(width, 0));
+    for (unsigned i = 0; i < structure->getNumElements(); ++i) {
+      Value* part = FindInsertedValue(value, {i});
+      if (!part) refuse(ret, "this return value has no hardware form; return an integer, an ap type or a struct of them");
+      ValueId placed = resized(value_of(part), width, false, ret);
+      if (low) placed = binary(OpKind::kShl, placed, constant_value(APInt(width, low)), ret);
+      all = is_zero(all) ? placed : binary(OpKind::kOr, all, placed, ret);
+      low += part->getType()->getIntegerBitWidth();
+    }
+    return all;
   }
 
   static std::string block_name(const BasicBlock& block) { return variable_part(block.getName().str()); }
@@ -724,7 +746,7 @@ class ProcessBuilder {
 
   void build_instruction(Instruction& instruction) {
     if (isa<GetElementPtrInst>(instruction) || isa<AllocaInst>(instruction) ||
-        isa<DbgInfoIntrinsic>(instruction) || is_element_address(&instruction) ||
+        isa<DbgInfoIntrinsic>(instruction) || isa<InsertValueInst>(instruction) || is_element_address(&instruction) ||
         instruction.isLifetimeStartOrEnd())
       return;
     ValueId id = translated(instruction);

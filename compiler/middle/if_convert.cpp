@@ -2,8 +2,7 @@
 
 #include <llvm/Analysis/LoopIterator.h>
 
-#include "middle/llvm_headers.h"
-#include "middle/stream_lowering.h"
+#include "middle/primitives.h"
 
 namespace hlsc {
 namespace {
@@ -174,36 +173,29 @@ class IfConverter {
   }
 
   void predicate_load(LoadInst& load, Value* predicate) {
-    std::string name = "hls.load.i" + std::to_string(load.getType()->getIntegerBitWidth());
-    FunctionCallee callee = load.getModule()->getOrInsertFunction(name, load.getType(), builder_.getPtrTy(),
-                                                                  builder_.getInt1Ty());
-    auto* function = cast<Function>(callee.getCallee());
-    function->setMemoryEffects(MemoryEffects::argMemOnly(ModRefInfo::Ref));
-    function->setDoesNotThrow();
-    function->addFnAttr(Attribute::WillReturn);
     builder_.SetCurrentDebugLocation(load.getDebugLoc());
-    CallInst* call = builder_.CreateCall(callee, {load.getPointerOperand(), predicate});
+    CallInst* call = create_load(builder_, load.getPointerOperand(), load.getType(), predicate);
     call->takeName(&load);
     load.replaceAllUsesWith(call);
     load.eraseFromParent();
   }
 
   void predicate_store(StoreInst& store, Value* predicate) {
-    Type* type = store.getValueOperand()->getType();
-    std::string name = "hls.store.i" + std::to_string(type->getIntegerBitWidth());
-    FunctionCallee callee = store.getModule()->getOrInsertFunction(
-        name, builder_.getVoidTy(), builder_.getPtrTy(), type, builder_.getInt1Ty());
-    auto* function = cast<Function>(callee.getCallee());
-    function->setMemoryEffects(MemoryEffects::argMemOnly(ModRefInfo::ModRef));
-    function->setDoesNotThrow();
-    function->addFnAttr(Attribute::WillReturn);
     builder_.SetCurrentDebugLocation(store.getDebugLoc());
-    builder_.CreateCall(callee, {store.getPointerOperand(), store.getValueOperand(), predicate});
+    create_store(builder_, store.getPointerOperand(), store.getValueOperand(), predicate);
     store.eraseFromParent();
   }
 
+  /// The access may have a predicate of its own already.
   void predicate_call(CallInst& call, Value* predicate) {
-    call.setArgOperand(call.arg_size() - 1, predicate);
+    builder_.SetInsertPoint(&call);
+    call.setArgOperand(call.arg_size() - 1, both(predicate, own_predicate(call)));
+    builder_.SetInsertPoint(merged_);
+  }
+  static Value* own_predicate(CallInst& call) {
+    Value* own = call.getArgOperand(call.arg_size() - 1);
+    auto* constant = dyn_cast<ConstantInt>(own);
+    return constant && constant->isOne() ? nullptr : own;
   }
 
   /// A division that the program skips must not trap when it is computed anyway.

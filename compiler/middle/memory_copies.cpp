@@ -30,11 +30,21 @@ Type* pointee_type(Value* pointer) {
   if (auto* alloca = dyn_cast<AllocaInst>(pointer)) return alloca->getAllocatedType();
   if (auto* global = dyn_cast<GlobalVariable>(pointer)) return global->getValueType();
   if (auto* gep = dyn_cast<GEPOperator>(pointer)) return gep->getResultElementType();
+  if (auto* select = dyn_cast<SelectInst>(pointer)) return pointee_type(select->getTrueValue());
+  if (auto* phi = dyn_cast<PHINode>(pointer)) return pointee_type(phi->getIncomingValue(0));
   if (auto* argument = dyn_cast<Argument>(pointer)) {
     if (Type* type = argument->getParamByValType()) return type;
     return argument->getParamStructRetType();
   }
   return nullptr;
+}
+
+/// Bytes up to the end of the last member: Clang does not copy the padding behind it.
+uint64_t data_size(const DataLayout& layout, Type* type) {
+  auto* structure = dyn_cast<StructType>(type);
+  if (!structure || structure->getNumElements() == 0) return layout.getTypeAllocSize(type);
+  unsigned last = structure->getNumElements() - 1;
+  return layout.getStructLayout(structure)->getElementOffset(last) + data_size(layout, structure->getElementType(last));
 }
 
 /// A type of exactly `bytes` from either pointer; an array's element type repeated when a part of it is
@@ -43,7 +53,7 @@ Type* copied_type(const DataLayout& layout, ArrayRef<Value*> pointers, uint64_t 
   for (Value* pointer : pointers) {
     for (Type* type = pointer ? pointee_type(pointer) : nullptr; type && type->isSized();) {
       uint64_t size = layout.getTypeAllocSize(type);
-      if (size == bytes) return type;
+      if (size == bytes || data_size(layout, type) == bytes) return type;
       auto* array = dyn_cast<ArrayType>(type);
       auto* structure = dyn_cast<StructType>(type);
       if (array && size > bytes) {

@@ -31,6 +31,7 @@
 #include "middle/if_convert.h"
 #include "middle/llvm_headers.h"
 #include "middle/memory_copies.h"
+#include "middle/pointer_choices.h"
 #include "middle/source_location.h"
 #include "middle/stream_lowering.h"
 
@@ -47,6 +48,12 @@ class Optimizer {
     builder_.registerFunctionAnalyses(function_analyses_);
     builder_.registerLoopAnalyses(loop_analyses_);
     builder_.crossRegisterProxies(loop_analyses_, function_analyses_, cgscc_analyses_, module_analyses_);
+  }
+
+  void drop_unused() {
+    ModulePassManager passes;
+    passes.addPass(GlobalDCEPass());
+    passes.run(module_, module_analyses_);
   }
 
   void inline_all() {
@@ -89,7 +96,7 @@ class Optimizer {
     add_licm(late);
     late.addPass(createFunctionToLoopPassAdaptor(IndVarSimplifyPass(false)));
     late.addPass(ADCEPass());
-    late.addPass(SimplifyCFGPass(cfg_options().sinkCommonInsts(true).hoistCommonInsts(true)));
+    late.addPass(SimplifyCFGPass(cfg_options().sinkCommonInsts(false).hoistCommonInsts(true)));
     late.addPass(InstCombinePass());
     late.addPass(LoopSimplifyPass());
     late.addPass(LCSSAPass());
@@ -232,16 +239,19 @@ MiddleResult run_middle(Program& program, Diagnostics& diagnostics) {
   expand_memory_copies(module);
   lower_streams(module, program.stream_types);
   result.processes = find_processes(program);
-  refuse_recursion(module);
   mark_for_inlining(module, result.processes);
 
   Optimizer optimizer(module);
+  optimizer.drop_unused();
+  refuse_recursion(module);
   optimizer.inline_all();
   optimizer.promote_locals();
   resolve_object_directives(module, result.directives, diagnostics);
+  for (Function& function : module) resolve_pointer_choices(function);
   optimizer.promote_locals();
   separate_subscripts(module, result.directives);
   optimizer.optimize();
+  for (Function& function : module) resolve_pointer_choices(function);
   for (const std::string& name : result.processes) convert_loops(*module.getFunction(name), optimizer);
   optimizer.functions().clear();
   optimizer.clean_flat_code();

@@ -1,23 +1,12 @@
 #include "middle/stream_lowering.h"
 
-#include "middle/llvm_headers.h"
+#include "middle/primitives.h"
 #include "middle/source_location.h"
 
 namespace hlsc {
 namespace {
 
 using namespace llvm;
-
-FunctionCallee primitive(Module& module, const std::string& name, Type* result, ArrayRef<Type*> parameters) {
-  FunctionCallee callee = module.getOrInsertFunction(name, FunctionType::get(result, parameters, false));
-  auto* function = cast<Function>(callee.getCallee());
-  function->setDoesNotThrow();
-  function->addFnAttr(Attribute::WillReturn);
-  function->addFnAttr(Attribute::NoCallback);
-  // Streams are no memory of the program: loads and stores may move across their accesses.
-  function->setMemoryEffects(MemoryEffects::inaccessibleMemOnly());
-  return callee;
-}
 
 Value* leaf_address(IRBuilder<>& builder, Value* object, const Leaf& leaf) {
   return leaf.byte_offset ? builder.CreateConstInBoundsGEP1_64(builder.getInt8Ty(), object, leaf.byte_offset)
@@ -26,10 +15,8 @@ Value* leaf_address(IRBuilder<>& builder, Value* object, const Leaf& leaf) {
 
 void lower_read(CallInst& call, const TypeLayout& layout) {
   IRBuilder<> builder(&call);
-  Type* packed_type = builder.getIntNTy(layout.width());
-  FunctionCallee read = primitive(*call.getModule(), "hls.read.i" + std::to_string(layout.width()),
-                                  packed_type, {builder.getPtrTy(), builder.getInt1Ty()});
-  Value* packed = builder.CreateCall(read, {call.getArgOperand(0), builder.getTrue()}, "data");
+  Value* packed = create_read(builder, call.getArgOperand(0), layout.width(), builder.getTrue());
+  packed->setName("data");
   unsigned low = 0;
   for (const Leaf& leaf : layout.leaves) {
     Value* value =
@@ -54,35 +41,16 @@ void lower_write(CallInst& call, const TypeLayout& layout) {
     packed = builder.CreateOr(packed, builder.CreateShl(value, low));
     low += leaf.width;
   }
-  FunctionCallee write =
-      primitive(*call.getModule(), "hls.write.i" + std::to_string(layout.width()), builder.getVoidTy(),
-                {builder.getPtrTy(), packed_type, builder.getInt1Ty()});
-  builder.CreateCall(write, {call.getArgOperand(0), packed, builder.getTrue()});
+  create_write(builder, call.getArgOperand(0), packed, builder.getTrue());
 }
 
 void lower_status(CallInst& call, const char* name) {
   IRBuilder<> builder(&call);
-  FunctionCallee status =
-      primitive(*call.getModule(), name, builder.getInt1Ty(), {builder.getPtrTy(), builder.getInt1Ty()});
-  Value* answer = builder.CreateCall(status, {call.getArgOperand(0), builder.getTrue()});
+  Value* answer = create_status(builder, name, call.getArgOperand(0));
   call.replaceAllUsesWith(builder.CreateZExt(answer, call.getType()));
 }
 
 }  // namespace
-
-Primitive primitive_of(const CallInst& call) {
-  const Function* callee = call.getCalledFunction();
-  if (!callee) return Primitive::kNone;
-  StringRef name = callee->getName();
-  if (!name.consume_front("hls.")) return Primitive::kNone;
-  if (name.starts_with("read.")) return Primitive::kRead;
-  if (name.starts_with("write.")) return Primitive::kWrite;
-  if (name.starts_with("empty")) return Primitive::kEmpty;
-  if (name.starts_with("full")) return Primitive::kFull;
-  if (name.starts_with("load.")) return Primitive::kLoad;
-  if (name.starts_with("store.")) return Primitive::kStore;
-  return Primitive::kNone;
-}
 
 void lower_streams(Module& module, const std::map<std::string, TypeLayout>& types) {
   for (const auto& [name, layout] : types) {

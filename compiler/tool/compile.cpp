@@ -1,6 +1,7 @@
 #include "tool/compile.h"
 
 #include "design/build.h"
+#include "design/divide.h"
 #include "design/names.h"
 #include "design/narrow.h"
 #include "design/simplify.h"
@@ -44,6 +45,8 @@ class Compilation {
 
  private:
   CompiledProcess scheduled(Process process) {
+    narrow(process);
+    expand_divisions(process);
     narrow(process);
     forward_copies(process);
     return {process, schedule_process(process, schedule_options_, result_.diagnostics)};

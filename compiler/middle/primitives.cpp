@@ -1,0 +1,74 @@
+#include "middle/primitives.h"
+
+namespace hlsc {
+namespace {
+
+using namespace llvm;
+
+CallInst* call_primitive(IRBuilder<>& builder, const std::string& name, Type* result, ArrayRef<Value*> arguments, MemoryEffects effects) {
+  SmallVector<Type*, 4> types;
+  for (Value* argument : arguments) types.push_back(argument->getType());
+  Module& module = *builder.GetInsertBlock()->getModule();
+  FunctionCallee callee = module.getOrInsertFunction(name, FunctionType::get(result, types, false));
+  auto* function = cast<Function>(callee.getCallee());
+  function->setDoesNotThrow();
+  function->addFnAttr(Attribute::WillReturn);
+  function->addFnAttr(Attribute::NoCallback);
+  function->setMemoryEffects(effects);
+  CallInst* call = builder.CreateCall(callee, arguments);
+  // Merging the accesses of two branches would leave one access to a choice of streams or arrays.
+  call->addFnAttr(Attribute::NoMerge);
+  return call;
+}
+
+std::string typed(const char* name, const Type* type) { return std::string(name) + ".i" + std::to_string(type->getIntegerBitWidth()); }
+
+// Streams are no memory of the program: loads and stores may move across their accesses.
+MemoryEffects stream_effects() { return MemoryEffects::inaccessibleMemOnly(); }
+
+}  // namespace
+
+Primitive primitive_of(const CallInst& call) {
+  const Function* callee = call.getCalledFunction();
+  if (!callee) return Primitive::kNone;
+  StringRef name = callee->getName();
+  if (!name.consume_front("hls.")) return Primitive::kNone;
+  if (name.starts_with("read.")) return Primitive::kRead;
+  if (name.starts_with("write.")) return Primitive::kWrite;
+  if (name.starts_with("empty")) return Primitive::kEmpty;
+  if (name.starts_with("full")) return Primitive::kFull;
+  if (name.starts_with("load.")) return Primitive::kLoad;
+  if (name.starts_with("store.")) return Primitive::kStore;
+  return Primitive::kNone;
+}
+
+CallInst* create_read(IRBuilder<>& builder, Value* stream, unsigned width, Value* predicate) {
+  Type* type = builder.getIntNTy(width);
+  return call_primitive(builder, typed("hls.read", type), type, {stream, predicate}, stream_effects());
+}
+
+CallInst* create_write(IRBuilder<>& builder, Value* stream, Value* data, Value* predicate) {
+  return call_primitive(builder, typed("hls.write", data->getType()), builder.getVoidTy(), {stream, data, predicate}, stream_effects());
+}
+
+CallInst* create_status(IRBuilder<>& builder, const char* name, Value* stream) {
+  return call_primitive(builder, name, builder.getInt1Ty(), {stream, builder.getTrue()}, stream_effects());
+}
+
+CallInst* create_load(IRBuilder<>& builder, Value* pointer, Type* type, Value* predicate) {
+  return call_primitive(builder, typed("hls.load", type), type, {pointer, predicate}, MemoryEffects::argMemOnly(ModRefInfo::Ref));
+}
+
+CallInst* create_store(IRBuilder<>& builder, Value* pointer, Value* data, Value* predicate) {
+  return call_primitive(builder, typed("hls.store", data->getType()), builder.getVoidTy(), {pointer, data, predicate}, MemoryEffects::argMemOnly(ModRefInfo::ModRef));
+}
+
+Value* accessed_pointer(Instruction& instruction) {
+  if (auto* load = dyn_cast<LoadInst>(&instruction)) return load->getPointerOperand();
+  if (auto* store = dyn_cast<StoreInst>(&instruction)) return store->getPointerOperand();
+  auto* call = dyn_cast<CallInst>(&instruction);
+  if (call && (primitive_of(*call) == Primitive::kLoad || primitive_of(*call) == Primitive::kStore)) return call->getArgOperand(0);
+  return nullptr;
+}
+
+}  // namespace hlsc
