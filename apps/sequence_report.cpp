@@ -171,8 +171,7 @@ report::Frame shown_frame(const CheckedFrame& frame, const std::vector<int>& sta
   shown.timestamp_s = frame.input.timestamp_s;
   shown.camera = frame.input.image;
   shown.pose = planar_vector(frame.input.world_from_robot);
-  for (const int stage : stages)
-    shown.stages.push_back(stage_pictures(frame.stages[stage], stage));
+  for (const int stage : stages) shown.stages.push_back(stage_pictures(frame.stages[stage], stage));
   add_findings(shown, frame, range);
   add_readings(shown, frame);
   return shown;
@@ -252,9 +251,17 @@ DetectionScore scored(const ReportRequest& request, const Settings& settings, co
   return score(drive, *model, task);
 }
 
+/// The paper's rule, looking where the settings look.
+Settings paper_for(const Settings& settings) {
+  Settings paper = paper_settings();
+  paper.line_count = settings.line_count;
+  paper.roi_margin_rows = settings.roi_margin_rows;
+  return paper;
+}
+
 void add_scores(report::Document& document, const ReportRequest& request) {
   const DetectionScore ours = scored(request, request.settings, "score");
-  const DetectionScore paper = scored(request, paper_settings(), "score the paper's rule");
+  const DetectionScore paper = scored(request, paper_for(request.settings), "score the paper's rule");
   for (const report::Figure& figure : score_figures(ours)) {
     document.figures.push_back(figure);
     document.headline.push_back(figure);

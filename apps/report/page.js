@@ -110,7 +110,8 @@ function mapFrame(extent, width, build) {
   const gutter = 34, scale = (width - gutter - 8) / (extent.right - extent.left);
   const height = (extent.bottom - extent.top) * scale;
   const px = ([x, y]) => [gutter + (x - extent.left) * scale, 8 + (y - extent.top) * scale];
-  const step = niceStep(Math.max(extent.right - extent.left, extent.bottom - extent.top));
+  const across = extent.right - extent.left, along = extent.bottom - extent.top;
+  const step = Math.min(niceStep(Math.max(across, along)), niceStep(1.5 * Math.min(across, along)));
   const axes = [];
   for (let x = Math.ceil(extent.left / step); x * step <= extent.right; ++x) {
     const [at] = px([x * step, 0]);
