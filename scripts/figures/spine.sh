@@ -1,20 +1,20 @@
 #!/usr/bin/env bash
-# Whole pipeline: golden against C simulation on the rendered default sequence and on the KITTI folders of ../shared/data, where they
-# are; and what the detector scores on the default sequence. Usage: spine.sh BUILD_DIR
+# Golden model against C simulation, stage by stage and as whole pipelines, on the rendered default sequence and on the KITTI folders
+# of ../shared/data, where they are. Usage: spine.sh BUILD_DIR
 set -euo pipefail
 floorline=$1/bin/floorline
 data=$(dirname "$0")/../../../shared/data
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# figures AREA JSON: a line for each figure of a check or score.
+# figures SEQUENCE JSON: a line for each figure of a check.
 figures() {
     python3 - "$1" "$2" <<'PYTHON'
 import json, sys
-area, path = sys.argv[1:]
+sequence, path = sys.argv[1:]
 for figure in json.load(open(path))["figures"]:
     value = "none" if figure["value"] is None else format(figure["value"], ".4g")
-    print(f"spine.{area}.{figure['name']}\t{value}\t{figure['bound']}\t{figure['verdict']}")
+    print(f"spine.{figure['name']}.{sequence}\t{value}\t{figure['bound']}\t{figure['verdict']}")
 PYTHON
 }
 
@@ -33,5 +33,3 @@ for folder in kitti_odo06 kitti_trk0003a; do
     "$floorline" import kitti "$data/$folder" --output "$work/$folder" >/dev/null
     run_check "$folder" --poses exact
 done
-"$floorline" score "$work/demo" --json "$work/score.json" >/dev/null || [ $? = 1 ]
-figures demo.score "$work/score.json"
