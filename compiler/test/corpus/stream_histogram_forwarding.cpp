@@ -8,7 +8,7 @@ void stream_histogram_forwarding(hls::stream<unsigned char>& in, int out[16]) {
   int count = 0;
   for (int i = 0; i < 96; ++i) {
 #pragma HLS PIPELINE II=1
-#pragma HLS DEPENDENCE variable=bins inter RAW false
+#pragma HLS DEPENDENCE variable=bins intra RAW false
     unsigned char bin = in.read() & 15;
     if (bin == last) {
       ++count;
