@@ -221,7 +221,7 @@ function stagesSection() {
 const isNumber = text => /^[≤≥]? ?[-+]?[\d.,]+(e[-+]?\d+)?( ?[%\w/²×]{1,9})?$/.test(text);
 
 function table(columns, rows) {
-  const numeric = columns.map((_, i) => rows.length > 0 && rows.every(row => isNumber(String(row[i])) || row[i] === '–'));
+  const numeric = columns.map((_, i) => rows.length > 0 && rows.every(row => isNumber(String(row[i])) || row[i] === 'none'));
   const cell = (text, i) => {
     const style = text === 'ok' || text === 'short' ? text : numeric[i] ? 'number' : '';
     return html('td', {class: style}, String(text));
