@@ -318,5 +318,5 @@ const parts = [data.frames.length ? viewSection() : null, stagesSection(), figur
 document.body.append(head(), html('main', {}, ...parts.filter(part => part !== null)));
 const bar = player();
 if (bar) document.body.append(bar);
-show(Math.floor(data.frames.length / 2));
+if (data.frames.length) show(Math.floor(data.frames.length / 2));
 })();
