@@ -13,9 +13,10 @@ mkdir -p out
 say "rendering scenes/demo.yaml"
 "$floorline" render scenes/demo.yaml --output "$out/sequence" --force
 say "golden model and HLS kernels, stage by stage"
-"$floorline" check "$out/sequence" --json "$out/check.json"
+"$floorline" check "$out/sequence" --json "$out/check.json" || [ $? = 1 ]
 say "scoring against the ground truth"
-"$floorline" score "$out/sequence" --json "$out/score.json"
+# Exit code 1 means that a figure is below its bound: the report shows which, so the demo goes on.
+"$floorline" score "$out/sequence" --json "$out/score.json" || [ $? = 1 ]
 say "writing the report"
 "$floorline" report "$out/sequence" --output "$out/report.html"
 printf 'report: %s\n' "$root/$out/report.html"
