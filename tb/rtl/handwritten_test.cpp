@@ -9,8 +9,10 @@
 
 #include "Verode_handwritten.h"
 #include "Vgaussian_handwritten.h"
+#include "Vpolar_handwritten.h"
 #include "erode.h"
 #include "gaussian.h"
+#include "polar.h"
 
 namespace floorline {
 namespace {
@@ -117,6 +119,128 @@ TEST_P(Handwritten, erode_gives_the_bits_of_the_kernel) {
     EXPECT_EQ(run.out, expected);
     if (frame < 2) EXPECT_LE(run.cycles, width * height + (erode_high ? width : 0) + 8);
   }
+}
+
+/// Bits of a stream element, fields packed from bit 0 in the order of the struct.
+uint64_t pack(const Contact& contact) {
+  uint64_t bits = contact.line.to_uint() | uint64_t(contact.u.to_int() & 0x1fff) << 8 |
+                  uint64_t(contact.v.to_uint()) << 21;
+  return bits | uint64_t(contact.rows.to_uint()) << 33 | uint64_t(contact.clipped.to_uint()) << 45 |
+         uint64_t(contact.end.to_uint()) << 46;
+}
+
+uint64_t pack(const LineCount& count) {
+  return count.line.to_uint() | uint64_t(count.count.to_uint()) << 8 | uint64_t(count.end.to_uint()) << 20;
+}
+
+constexpr int kMaxLines = 128;
+
+/// A line that walks anywhere: steep or shallow, in or out of the image, its rows in order.
+LineSetup random_line(std::mt19937& random, int width, int height) {
+  auto between = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
+  LineSetup line = LineSetup();
+  const int rows = between(1, height);
+  line.first_row = between(0, height - 1);
+  line.last_row = line.first_row + rows - 1;
+  line.first_column = between(-8, width + 8);
+  line.slice = between(0, 2) ? 0 : between(1, 5);
+  line.first_run = line.slice == 0 ? 1 : between(1, 6);
+  line.last_run = line.slice == 0 ? 1 : between(1, 6);
+  line.divisor = rows;
+  line.remainder = between(0, rows - 1);
+  line.first_error = between(0, rows - 1);
+  line.leftward = between(0, 1);
+  line.contact_first = between(0, 1);
+  return line;
+}
+
+void write_line(Vpolar_handwritten& model, const LineSetup& line) {
+  const std::pair<unsigned, unsigned> fields[] = {{line.first_column.to_int() & 0x1fff, 13},
+                                                  {line.first_row.to_uint(), 12},
+                                                  {line.last_row.to_uint(), 12},
+                                                  {line.first_run.to_uint(), 12},
+                                                  {line.last_run.to_uint(), 12},
+                                                  {line.slice.to_uint(), 12},
+                                                  {line.remainder.to_uint(), 12},
+                                                  {line.divisor.to_uint(), 12},
+                                                  {line.first_error.to_uint(), 12},
+                                                  {line.leftward.to_uint(), 1},
+                                                  {line.contact_first.to_uint(), 1}};
+  for (unsigned word = 0; word < 4; ++word) model.lines_q0[word] = 0;
+  unsigned at = 0;
+  for (const auto& [value, bits] : fields)
+    for (unsigned bit = 0; bit < bits; ++bit, ++at)
+      model.lines_q0[at / 32] |= (value >> bit & 1u) << (at % 32);
+}
+
+TEST_P(Handwritten, polar_gives_the_bits_of_the_kernel) {
+  const auto [width, height] = GetParam();
+  if (width < 16) GTEST_SKIP() << "the polar engine needs 16 columns";
+  Vpolar_handwritten model;
+  reset(model);
+  model.width = width;
+  model.height = height;
+  size_t contacts_found = 0;
+  for (unsigned frame = 0; frame < 12; ++frame) {
+    std::mt19937 random(frame);
+    auto between = [&](int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); };
+    RuleParameters rule = RuleParameters();
+    rule.run_rule = frame & 1;
+    rule.min_rows = between(1, 3);
+    rule.max_gap = between(0, 2);
+    rule.horizon_row = between(-4, 4);
+    rule.height_ratio = between(0, 200);
+    const int line_count = frame == 0 ? 0 : between(1, std::min<int>(kMaxLines, width - 16 + 4));
+    static LineSetup lines[kMaxLines];
+    for (LineSetup& line : lines) line = random_line(random, width, height);
+    std::vector<unsigned> in = random_elements(width * height, 9, frame);
+    for (unsigned& value : in) value = value < 3 ? 0 : value < 5 ? 1 : 3;
+
+    hls::stream<Mask> mask("mask");
+    hls::stream<Contact> contacts("contacts");
+    hls::stream<LineCount> counts("counts");
+    for (unsigned value : in) mask.write(value);
+    polar<640, 480, kMaxLines>(mask, contacts, counts, width, height, line_count, rule, lines);
+    std::vector<uint64_t> expected_contacts, expected_counts;
+    while (!contacts.empty()) expected_contacts.push_back(pack(contacts.read()));
+    while (!counts.empty()) expected_counts.push_back(pack(counts.read()));
+
+    model.line_count = line_count;
+    model.rule_run_rule = rule.run_rule.to_uint();
+    model.rule_min_rows = rule.min_rows.to_uint();
+    model.rule_max_gap = rule.max_gap.to_uint();
+    model.rule_horizon_row = rule.horizon_row.to_int() & 0x1fff;
+    model.rule_height_ratio = rule.height_ratio.to_uint();
+    std::bernoulli_distribution stalls(frame < 2 ? 0.0 : 0.3);
+    std::vector<uint64_t> seen_contacts, seen_counts;
+    size_t taken = 0;
+    long cycles = 0;
+    model.ap_start = 1;
+    for (bool done = false; !done && cycles < 100000; ++cycles) {
+      model.mask_empty_n = taken < in.size() && !stalls(random);
+      model.mask_dout = model.mask_empty_n ? in[taken] : 0;
+      model.contacts_full_n = !stalls(random);
+      model.counts_full_n = !stalls(random);
+      model.clk = 0;
+      model.eval();
+      if (model.mask_read && model.mask_empty_n) ++taken;
+      if (model.contacts_write && model.contacts_full_n) seen_contacts.push_back(model.contacts_din);
+      if (model.counts_write && model.counts_full_n) seen_counts.push_back(model.counts_din);
+      const bool asked = model.lines_ce0;
+      const unsigned address = model.lines_address0;
+      done = model.ap_done;
+      if (done) model.ap_start = 0;
+      model.clk = 1;
+      model.eval();
+      if (asked) write_line(model, lines[address]);
+    }
+    EXPECT_EQ(taken, in.size());
+    EXPECT_EQ(seen_contacts, expected_contacts) << "frame " << frame;
+    contacts_found += seen_contacts.size() - 1;
+    EXPECT_EQ(seen_counts, expected_counts) << "frame " << frame;
+    if (frame < 2) EXPECT_LE(cycles, width * height + line_count + 24);
+  }
+  EXPECT_GT(contacts_found, 0u) << "the random lines and masks give no contact";
 }
 
 INSTANTIATE_TEST_SUITE_P(sizes, Handwritten,
