@@ -14,7 +14,6 @@
 #include "middle/primitives.h"
 #include "middle/source_location.h"
 
-
 namespace hlsc {
 namespace {
 
@@ -700,7 +699,8 @@ class ProcessBuilder {
     auto* structure = dyn_cast<StructType>(type);
     if (!structure) return type->isIntegerTy() ? type->getIntegerBitWidth() : 1;
     unsigned bits = 0;
-    for (Type* element : structure->elements()) bits += element->isIntegerTy() ? element->getIntegerBitWidth() : 0;
+    for (Type* element : structure->elements())
+      bits += element->isIntegerTy() ? element->getIntegerBitWidth() : 0;
     return bits;
   }
 
@@ -712,7 +712,9 @@ class ProcessBuilder {
     ValueId all = constant_value(APInt(width, 0));
     for (unsigned i = 0; i < structure->getNumElements(); ++i) {
       Value* part = FindInsertedValue(value, {i});
-      if (!part) refuse(ret, "this return value has no hardware form; return an integer, an ap type or a struct of them");
+      if (!part)
+        refuse(ret,
+               "this return value has no hardware form; return an integer, an ap type or a struct of them");
       ValueId placed = resized(value_of(part), width, false, ret);
       if (low) placed = binary(OpKind::kShl, placed, constant_value(APInt(width, low)), ret);
       all = is_zero(all) ? placed : binary(OpKind::kOr, all, placed, ret);
@@ -746,8 +748,8 @@ class ProcessBuilder {
 
   void build_instruction(Instruction& instruction) {
     if (isa<GetElementPtrInst>(instruction) || isa<AllocaInst>(instruction) ||
-        isa<DbgInfoIntrinsic>(instruction) || isa<InsertValueInst>(instruction) || is_element_address(&instruction) ||
-        instruction.isLifetimeStartOrEnd())
+        isa<DbgInfoIntrinsic>(instruction) || isa<InsertValueInst>(instruction) ||
+        is_element_address(&instruction) || instruction.isLifetimeStartOrEnd())
       return;
     ValueId id = translated(instruction);
     if (id == kNoValue) return;
@@ -1338,8 +1340,10 @@ class ProcessBuilder {
     for (BasicBlock* from : sources) built.predecessors.push_back(block_ids_[from]);
     for (PHINode& phi : block.phis()) {
       if (!values_.count(&phi)) continue;
-      for (BasicBlock* from : sources)
-        process_[values_[&phi]].operands.push_back(value_of(phi.getIncomingValueForBlock(from)));
+      for (BasicBlock* from : sources) {
+        ValueId incoming = value_of(phi.getIncomingValueForBlock(from));  // May add a constant.
+        process_[values_[&phi]].operands.push_back(incoming);
+      }
     }
     built.terminator = terminator_of(*block.getTerminator());
   }

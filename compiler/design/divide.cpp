@@ -15,8 +15,10 @@ class DivisionExpander {
       std::vector<ValueId> old;
       old.swap(process_.blocks[index].operations);
       for (ValueId id : old) {
-        if (is_division(process_[id].kind)) expand(id, index);
-        else process_.blocks[index].operations.push_back(id);
+        if (is_division(process_[id].kind))
+          expand(id, index);
+        else
+          process_.blocks[index].operations.push_back(id);
       }
     }
     forward_results();
@@ -42,7 +44,8 @@ class DivisionExpander {
     ValueId result = resized(wants_quotient ? quotient : remainder, source_.type_width);
     ValueId negative = dividend_negative;
     if (wants_quotient) negative = exclusive(dividend_negative, divisor_negative);
-    if (negative != kNoValue) result = select(negative, binary(OpKind::kSub, constant(source_.type_width, 0), result), result);
+    if (negative != kNoValue)
+      result = select(negative, binary(OpKind::kSub, constant(source_.type_width, 0), result), result);
     results_[id] = result;
   }
 
@@ -69,7 +72,8 @@ class DivisionExpander {
 
   std::pair<ValueId, ValueId> divided(ValueId dividend, ValueId divisor) {
     const Operation& by = process_[divisor];
-    if (by.kind == OpKind::kConstant && !by.constant.isZero()) return divided_by_constant(dividend, by.constant);
+    if (by.kind == OpKind::kConstant && !by.constant.isZero())
+      return divided_by_constant(dividend, by.constant);
     return restoring(dividend, divisor);
   }
 
@@ -88,7 +92,8 @@ class DivisionExpander {
   }
   ValueId dividend_as(ValueId dividend, unsigned width) { return resized(dividend, width); }
 
-  /// One quotient bit a step, from the top: the remainder takes in a bit of the dividend and gives the divisor away when it can.
+  /// One quotient bit a step, from the top: the remainder takes in a bit of the dividend and gives the
+  /// divisor away when it can.
   std::pair<ValueId, ValueId> restoring(ValueId dividend, ValueId divisor) {
     unsigned width = source_.type_width;
     unsigned steps = process_[dividend].is_signed ? width : process_[dividend].bits;
@@ -97,7 +102,8 @@ class DivisionExpander {
     ValueId by = resized(divisor, inner);
     ValueId remainder = constant(inner, 0), quotient = constant(width, 0);
     for (unsigned step = steps; step-- > 0;) {
-      ValueId bit = resized(resized(step ? binary(OpKind::kLShr, dividend, constant(width, step)) : dividend, 1), inner);
+      ValueId bit = resized(
+          resized(step ? binary(OpKind::kLShr, dividend, constant(width, step)) : dividend, 1), inner);
       ValueId grown = binary(OpKind::kOr, binary(OpKind::kShl, remainder, constant(inner, 1)), bit);
       ValueId fits = compare(CompareKind::kUGe, grown, by);
       remainder = select(fits, binary(OpKind::kSub, grown, by), grown);
@@ -132,8 +138,12 @@ class DivisionExpander {
     process_.blocks[block_].operations.push_back(process_.operations.size() - 1);
     return process_.operations.size() - 1;
   }
-  ValueId binary(OpKind kind, ValueId a, ValueId b) { return add(kind, process_[a].type_width, {a, b}, "step"); }
-  ValueId select(ValueId condition, ValueId yes, ValueId no) { return add(OpKind::kSelect, process_[yes].type_width, {condition, yes, no}, "kept"); }
+  ValueId binary(OpKind kind, ValueId a, ValueId b) {
+    return add(kind, process_[a].type_width, {a, b}, "step");
+  }
+  ValueId select(ValueId condition, ValueId yes, ValueId no) {
+    return add(OpKind::kSelect, process_[yes].type_width, {condition, yes, no}, "kept");
+  }
   ValueId compare(CompareKind kind, ValueId a, ValueId b) {
     ValueId id = add(OpKind::kCompare, 1, {a, b}, "fits");
     process_[id].compare = kind;
@@ -143,7 +153,8 @@ class DivisionExpander {
   ValueId resized(ValueId value, unsigned width) {
     unsigned from = process_[value].type_width;
     if (from == width) return value;
-    if (process_[value].kind == OpKind::kConstant) return constant_of(process_[value].constant.zextOrTrunc(width));
+    if (process_[value].kind == OpKind::kConstant)
+      return constant_of(process_[value].constant.zextOrTrunc(width));
     return add(from > width ? OpKind::kTrunc : OpKind::kZExt, width, {value}, "part");
   }
 

@@ -170,10 +170,10 @@ std::vector<std::string> clang_arguments(const FrontendOptions& options, const s
   bool is_c = llvm::sys::path::extension(file) == ".c";
   std::vector<std::string> arguments = {HLSC_CLANG};
   arguments.push_back("-std=" + (options.standard.empty() ? (is_c ? "c17" : "c++17") : options.standard));
-  for (const char* fixed : {"-c", "-O1", "-g", "-gcolumn-info", "-fno-exceptions", "-fno-rtti",
+  for (const char* fixed : {"-c", "-O2", "-g", "-gcolumn-info", "-fno-exceptions", "-fno-rtti",
                             "-fno-threadsafe-statics", "-fno-discard-value-names", "-fno-vectorize",
                             "-fno-builtin", "-Wno-unknown-pragmas", "-Wno-unused-value", "-Wno-everything",
-                            "-Werror=return-type", "-D__SYNTHESIS__", "-D__FLOORLINE_HLSC__"})
+                            "-Werror=return-type", "-fwrapv", "-D__SYNTHESIS__", "-D__FLOORLINE_HLSC__"})
     arguments.push_back(fixed);
   for (const std::string& define : options.defines) arguments.push_back("-D" + define);
   arguments.push_back("-isystem" HLSC_INCLUDE_DIR);

@@ -28,8 +28,8 @@ struct FrontendOptions {
 /// A parameter as the programmer declared it.
 struct Parameter {
   std::string name;
-  std::string type_text;       ///< The type as C++ text, all names qualified; `%` stands for the declared name.
-  TypeLayout layout;           ///< Of the value, the referenced value, or one array element.
+  std::string type_text;  ///< The type as C++ text, all names qualified; `%` stands for the declared name.
+  TypeLayout layout;      ///< Of the value, the referenced value, or one array element.
   std::vector<uint64_t> dims;  ///< Array dimensions; a leading 0 stands for a plain pointer.
   bool is_stream = false;
   bool is_indirect = false;  ///< Reference or pointer.

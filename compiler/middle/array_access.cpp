@@ -113,7 +113,8 @@ class SubscriptSeparator {
       bool fits = true;
       for (auto [step, stride] : offset.steps) {
         auto place = find(leaf.strides, static_cast<uint64_t>(stride));
-        if (place != leaf.strides.end())
+        // Steps of one byte may be plain offsets to a member; they are told apart below.
+        if (stride > 1 && place != leaf.strides.end())
           constants[place - leaf.strides.begin()] += step;
         else if (step != 0)
           member += step * stride;  // An i8 address: LLVM or our own lowering made it.
@@ -125,15 +126,23 @@ class SubscriptSeparator {
       int64_t rest = member - static_cast<int64_t>(leaf.byte_offset);
       for (size_t d = 0; d < leaf.dims.size() && rest >= 0; ++d) {
         int64_t stride = leaf.strides[d];
-        constants[d] += rest / stride;
+        int64_t whole = rest / stride;
+        if (d > 0 && whole >= static_cast<int64_t>(leaf.dims[d])) break;  // Behind this leaf.
+        constants[d] += whole;
         rest %= stride;
       }
-      if (rest == 0) return &leaf;
+      bool counts_bytes = leaves_.size() == 1 && !leaf.strides.empty() && leaf.strides.back() == 1;
+      if (rest < 0 && counts_bytes) constants.back() += rest;
+      if (rest == 0 || counts_bytes) return &leaf;
     }
     return nullptr;
   }
 
   void rewrite(Instruction& access, Value* pointer, Offset offset) {
+    if (auto* store = dyn_cast<StoreInst>(&access); store && isa<UndefValue>(store->getValueOperand())) {
+      store->eraseFromParent();  // Padding between members.
+      return;
+    }
     std::vector<int64_t> constants;
     const MemoryLeaf* leaf = leaf_of(offset, constants);
     if (!leaf)

@@ -161,29 +161,11 @@ class IfConverter {
     builder_.SetInsertPoint(merged_);
     auto* constant = dyn_cast<ConstantInt>(predicate);
     if (constant && constant->isOne()) return;
-    if (auto* load = dyn_cast<LoadInst>(&instruction))
-      predicate_load(*load, predicate);
-    else if (auto* store = dyn_cast<StoreInst>(&instruction))
-      predicate_store(*store, predicate);
-    else if (auto* call = dyn_cast<CallInst>(&instruction); call && primitive_of(*call) != Primitive::kNone)
+    if (auto* call = dyn_cast<CallInst>(&instruction); call && primitive_of(*call) != Primitive::kNone)
       predicate_call(*call, predicate);
     else if (instruction.getOpcode() == Instruction::UDiv || instruction.getOpcode() == Instruction::SDiv ||
              instruction.getOpcode() == Instruction::URem || instruction.getOpcode() == Instruction::SRem)
       guard_divisor(instruction, predicate);
-  }
-
-  void predicate_load(LoadInst& load, Value* predicate) {
-    builder_.SetCurrentDebugLocation(load.getDebugLoc());
-    CallInst* call = create_load(builder_, load.getPointerOperand(), load.getType(), predicate);
-    call->takeName(&load);
-    load.replaceAllUsesWith(call);
-    load.eraseFromParent();
-  }
-
-  void predicate_store(StoreInst& store, Value* predicate) {
-    builder_.SetCurrentDebugLocation(store.getDebugLoc());
-    create_store(builder_, store.getPointerOperand(), store.getValueOperand(), predicate);
-    store.eraseFromParent();
   }
 
   /// The access may have a predicate of its own already.

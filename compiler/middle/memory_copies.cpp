@@ -39,21 +39,18 @@ Type* pointee_type(Value* pointer) {
   return nullptr;
 }
 
-/// Bytes up to the end of the last member: Clang does not copy the padding behind it.
-uint64_t data_size(const DataLayout& layout, Type* type) {
-  auto* structure = dyn_cast<StructType>(type);
-  if (!structure || structure->getNumElements() == 0) return layout.getTypeAllocSize(type);
-  unsigned last = structure->getNumElements() - 1;
-  return layout.getStructLayout(structure)->getElementOffset(last) + data_size(layout, structure->getElementType(last));
+/// Clang does not copy the padding at a struct's end.
+bool is_without_padding(Type* type, uint64_t size, uint64_t bytes) {
+  return isa<StructType>(type) && bytes < size && size - bytes < 8;
 }
 
-/// A type of exactly `bytes` from either pointer; an array's element type repeated when a part of it is
-/// meant.
+/// A type of `bytes`, but for padding, from either pointer; an array's element type repeated when a part of
+/// it is meant.
 Type* copied_type(const DataLayout& layout, ArrayRef<Value*> pointers, uint64_t bytes) {
   for (Value* pointer : pointers) {
     for (Type* type = pointer ? pointee_type(pointer) : nullptr; type && type->isSized();) {
       uint64_t size = layout.getTypeAllocSize(type);
-      if (size == bytes || data_size(layout, type) == bytes) return type;
+      if (size == bytes || is_without_padding(type, size, bytes)) return type;
       auto* array = dyn_cast<ArrayType>(type);
       auto* structure = dyn_cast<StructType>(type);
       if (array && size > bytes) {
@@ -149,6 +146,8 @@ void expand(MemIntrinsic& call) {
         nearest_location(call),
         "cannot tell the type of the memory that is copied here; write a loop over the elements");
   LeafWalk walk(layout, [&](IRBuilder<>& builder, Value* offset, Type* leaf) {
+    auto* place = dyn_cast<ConstantInt>(offset);
+    if (place && place->getZExtValue() + layout.getTypeStoreSize(leaf) > bytes) return;  // Padding.
     Value* value;
     if (source) {
       value = builder.CreateAlignedLoad(leaf, at_offset(builder, source, offset), Align(1));

@@ -32,6 +32,7 @@
 #include "middle/llvm_headers.h"
 #include "middle/memory_copies.h"
 #include "middle/pointer_choices.h"
+#include "middle/primitives.h"
 #include "middle/source_location.h"
 #include "middle/stream_lowering.h"
 
@@ -87,7 +88,7 @@ class Optimizer {
     dissolve_constant_subscripts(module_);
     FunctionPassManager late;
     simplify(late);
-    late.addPass(GVNPass());
+    late.addPass(GVNPass(GVNOptions().setPRE(false).setLoadPRE(false)));
     late.addPass(CorrelatedValuePropagationPass());
     late.addPass(DSEPass());
     late.addPass(BDCEPass());
@@ -251,10 +252,14 @@ MiddleResult run_middle(Program& program, Diagnostics& diagnostics) {
   optimizer.promote_locals();
   separate_subscripts(module, result.directives);
   optimizer.optimize();
-  for (Function& function : module) resolve_pointer_choices(function);
+  for (Function& function : module) {
+    resolve_pointer_choices(function);
+    accesses_to_primitives(function);
+  }
   for (const std::string& name : result.processes) convert_loops(*module.getFunction(name), optimizer);
   optimizer.functions().clear();
   optimizer.clean_flat_code();
+  if (getenv("DUMP")) module.print(errs(), nullptr);
   if (verifyModule(module, &errs()))
     throw CompileError("internal: the middle produced invalid IR; please report this program");
   return result;

@@ -49,7 +49,8 @@ void split_select(Instruction& access, Value* pointer, SelectInst& choice) {
   access.eraseFromParent();
 }
 
-/// Whether the load may move to the ends of the phi's predecessors: nothing is written before it, its subscripts are constant.
+/// Whether the load may move to the ends of the phi's predecessors: nothing is written before it, its
+/// subscripts are constant.
 bool can_move_up(LoadInst& load, Value* pointer, PHINode& phi) {
   if (load.getParent() != phi.getParent()) return false;
   for (Instruction& before : *load.getParent()) {
@@ -82,7 +83,8 @@ void move_load_up(LoadInst& load, Value* pointer, PHINode& phi) {
   load.eraseFromParent();
 }
 
-/// Pointer phis and selects that all lead into one object, as subscripts in units of the greatest common step.
+/// Pointer phis and selects that all lead into one object, as subscripts in units of the greatest common
+/// step.
 class PointerWeb {
  public:
   /// False when the pointers lead to several objects.
@@ -114,13 +116,17 @@ class PointerWeb {
 
   void rewrite() {
     Type* index_type = Type::getInt64Ty(object_->getContext());
-    for (PHINode* phi : order_) phis_[phi] = PHINode::Create(index_type, phi->getNumIncomingValues(), phi->getName() + ".index", phi->getIterator());
+    for (PHINode* phi : order_)
+      phis_[phi] = PHINode::Create(index_type, phi->getNumIncomingValues(), phi->getName() + ".index",
+                                   phi->getIterator());
     for (PHINode* phi : order_)
       for (unsigned i = 0; i < phi->getNumIncomingValues(); ++i)
-        phis_[phi]->addIncoming(index_of(phi->getIncomingValue(i), phi->getIncomingBlock(i)->getTerminator()), phi->getIncomingBlock(i));
+        phis_[phi]->addIncoming(index_of(phi->getIncomingValue(i), phi->getIncomingBlock(i)->getTerminator()),
+                                phi->getIncomingBlock(i));
     for (PHINode* phi : order_) {
       IRBuilder<> builder(&*phi->getParent()->getFirstInsertionPt());
-      Type* unit = unit_ == 1 ? builder.getInt8Ty() : static_cast<Type*>(ArrayType::get(builder.getInt8Ty(), unit_));
+      Type* unit =
+          unit_ == 1 ? builder.getInt8Ty() : static_cast<Type*>(ArrayType::get(builder.getInt8Ty(), unit_));
       phi->replaceAllUsesWith(builder.CreateInBoundsGEP(unit, object_, phis_[phi]));
     }
     for (PHINode* phi : order_) phi->eraseFromParent();
@@ -140,16 +146,20 @@ class PointerWeb {
     if (value == object_) return builder.getInt64(0);
     if (auto* phi = dyn_cast<PHINode>(value)) return phis_[phi];
     if (auto* select = dyn_cast<SelectInst>(value))
-      return builder.CreateSelect(select->getCondition(), index_of(select->getTrueValue(), at), index_of(select->getFalseValue(), at));
+      return builder.CreateSelect(select->getCondition(), index_of(select->getTrueValue(), at),
+                                  index_of(select->getFalseValue(), at));
     auto* gep = cast<GEPOperator>(value);
     MapVector<Value*, APInt> terms;
     APInt constant(64, 0);
     gep->collectOffset(*layout_, 64, terms, constant);
     Value* index = index_of(gep->getPointerOperand(), at);
     builder.SetInsertPoint(at);
-    if (!constant.isZero()) index = builder.CreateNSWAdd(index, builder.getInt64(constant.getSExtValue() / unit_));
+    if (!constant.isZero())
+      index = builder.CreateNSWAdd(index, builder.getInt64(constant.getSExtValue() / unit_));
     for (auto& [term, scale] : terms)
-      index = builder.CreateNSWAdd(index, builder.CreateNSWMul(builder.CreateSExtOrTrunc(term, builder.getInt64Ty()), builder.getInt64(scale.getSExtValue() / unit_)));
+      index = builder.CreateNSWAdd(index,
+                                   builder.CreateNSWMul(builder.CreateSExtOrTrunc(term, builder.getInt64Ty()),
+                                                        builder.getInt64(scale.getSExtValue() / unit_)));
     return index;
   }
 
@@ -159,6 +169,22 @@ class PointerWeb {
   std::map<PHINode*, PHINode*> phis_;
   std::vector<PHINode*> order_;
 };
+
+/// Whether the pointer comes back to the phi: `for (p = a; ...; ++p)`.
+bool walks(PHINode& phi) {
+  SmallVector<Value*, 8> work(phi.op_begin(), phi.op_end());
+  SmallPtrSet<Value*, 8> seen;
+  while (!work.empty()) {
+    Value* value = work.pop_back_val();
+    if (value == &phi) return true;
+    if (!seen.insert(value).second) continue;
+    if (auto* gep = dyn_cast<GEPOperator>(value)) work.push_back(gep->getPointerOperand());
+    if (auto* other = dyn_cast<PHINode>(value)) work.append(other->op_begin(), other->op_end());
+    if (auto* select = dyn_cast<SelectInst>(value))
+      work.append({select->getTrueValue(), select->getFalseValue()});
+  }
+  return false;
+}
 
 /// Resolves one access; false when there was none to resolve.
 bool resolve_one(Function& function) {
@@ -171,13 +197,14 @@ bool resolve_one(Function& function) {
       return true;
     }
     auto* phi = cast<PHINode>(choice);
+    if (auto* load = dyn_cast<LoadInst>(&instruction);
+        load && !walks(*phi) && can_move_up(*load, pointer, *phi)) {
+      move_load_up(*load, pointer, *phi);
+      return true;
+    }
     PointerWeb web;
     if (web.collect(phi, function.getDataLayout())) {
       web.rewrite();
-      return true;
-    }
-    if (auto* load = dyn_cast<LoadInst>(&instruction); load && can_move_up(*load, pointer, *phi)) {
-      move_load_up(*load, pointer, *phi);
       return true;
     }
   }
@@ -188,7 +215,8 @@ bool resolve_one(Function& function) {
 void remove_dead_pointers(Function& function) {
   for (BasicBlock& block : function) {
     for (Instruction& instruction : make_early_inc_range(reverse(block)))
-      if (instruction.getType()->isPointerTy() && isInstructionTriviallyDead(&instruction)) instruction.eraseFromParent();
+      if (instruction.getType()->isPointerTy() && isInstructionTriviallyDead(&instruction))
+        instruction.eraseFromParent();
     for (PHINode& phi : make_early_inc_range(block.phis()))
       if (phi.getType()->isPointerTy()) RecursivelyDeleteDeadPHINode(&phi);
   }

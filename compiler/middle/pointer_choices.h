@@ -8,8 +8,9 @@ class Function;
 
 namespace hlsc {
 
-/// An access through a select becomes one predicated access per arm; a load through a phi moves to the phi's predecessors; a
-/// pointer phi within one object becomes a phi of its subscript. What remains is refused later, at its access.
+/// An access through a select becomes one predicated access per arm; a load through a phi moves to the phi's
+/// predecessors; a pointer phi within one object becomes a phi of its subscript. What remains is refused
+/// later, at its access.
 void resolve_pointer_choices(llvm::Function& function);
 
 }  // namespace hlsc

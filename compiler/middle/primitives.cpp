@@ -5,7 +5,8 @@ namespace {
 
 using namespace llvm;
 
-CallInst* call_primitive(IRBuilder<>& builder, const std::string& name, Type* result, ArrayRef<Value*> arguments, MemoryEffects effects) {
+CallInst* call_primitive(IRBuilder<>& builder, const std::string& name, Type* result,
+                         ArrayRef<Value*> arguments, MemoryEffects effects) {
   SmallVector<Type*, 4> types;
   for (Value* argument : arguments) types.push_back(argument->getType());
   Module& module = *builder.GetInsertBlock()->getModule();
@@ -21,7 +22,9 @@ CallInst* call_primitive(IRBuilder<>& builder, const std::string& name, Type* re
   return call;
 }
 
-std::string typed(const char* name, const Type* type) { return std::string(name) + ".i" + std::to_string(type->getIntegerBitWidth()); }
+std::string typed(const char* name, const Type* type) {
+  return std::string(name) + ".i" + std::to_string(type->getIntegerBitWidth());
+}
 
 // Streams are no memory of the program: loads and stores may move across their accesses.
 MemoryEffects stream_effects() { return MemoryEffects::inaccessibleMemOnly(); }
@@ -48,7 +51,8 @@ CallInst* create_read(IRBuilder<>& builder, Value* stream, unsigned width, Value
 }
 
 CallInst* create_write(IRBuilder<>& builder, Value* stream, Value* data, Value* predicate) {
-  return call_primitive(builder, typed("hls.write", data->getType()), builder.getVoidTy(), {stream, data, predicate}, stream_effects());
+  return call_primitive(builder, typed("hls.write", data->getType()), builder.getVoidTy(),
+                        {stream, data, predicate}, stream_effects());
 }
 
 CallInst* create_status(IRBuilder<>& builder, const char* name, Value* stream) {
@@ -56,19 +60,38 @@ CallInst* create_status(IRBuilder<>& builder, const char* name, Value* stream) {
 }
 
 CallInst* create_load(IRBuilder<>& builder, Value* pointer, Type* type, Value* predicate) {
-  return call_primitive(builder, typed("hls.load", type), type, {pointer, predicate}, MemoryEffects::argMemOnly(ModRefInfo::Ref));
+  return call_primitive(builder, typed("hls.load", type), type, {pointer, predicate},
+                        MemoryEffects::argMemOnly(ModRefInfo::Ref));
 }
 
 CallInst* create_store(IRBuilder<>& builder, Value* pointer, Value* data, Value* predicate) {
-  return call_primitive(builder, typed("hls.store", data->getType()), builder.getVoidTy(), {pointer, data, predicate}, MemoryEffects::argMemOnly(ModRefInfo::ModRef));
+  return call_primitive(builder, typed("hls.store", data->getType()), builder.getVoidTy(),
+                        {pointer, data, predicate}, MemoryEffects::argMemOnly(ModRefInfo::ModRef));
 }
 
 Value* accessed_pointer(Instruction& instruction) {
   if (auto* load = dyn_cast<LoadInst>(&instruction)) return load->getPointerOperand();
   if (auto* store = dyn_cast<StoreInst>(&instruction)) return store->getPointerOperand();
   auto* call = dyn_cast<CallInst>(&instruction);
-  if (call && (primitive_of(*call) == Primitive::kLoad || primitive_of(*call) == Primitive::kStore)) return call->getArgOperand(0);
+  if (call && (primitive_of(*call) == Primitive::kLoad || primitive_of(*call) == Primitive::kStore))
+    return call->getArgOperand(0);
   return nullptr;
+}
+
+void accesses_to_primitives(Function& function) {
+  for (Instruction& instruction : make_early_inc_range(instructions(function))) {
+    IRBuilder<> builder(&instruction);
+    if (auto* load = dyn_cast<LoadInst>(&instruction); load && load->getType()->isIntegerTy()) {
+      CallInst* call = create_load(builder, load->getPointerOperand(), load->getType(), builder.getTrue());
+      call->takeName(load);
+      load->replaceAllUsesWith(call);
+      load->eraseFromParent();
+    } else if (auto* store = dyn_cast<StoreInst>(&instruction);
+               store && store->getValueOperand()->getType()->isIntegerTy()) {
+      create_store(builder, store->getPointerOperand(), store->getValueOperand(), builder.getTrue());
+      store->eraseFromParent();
+    }
+  }
 }
 
 }  // namespace hlsc

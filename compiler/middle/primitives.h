@@ -1,4 +1,5 @@
-/// The hardware primitives as LLVM calls: what each does and how it is made. All take a predicate i1 as last argument.
+/// The hardware primitives as LLVM calls: what each does and how it is made. All take a predicate i1 as last
+/// argument.
 #ifndef HLSC_MIDDLE_PRIMITIVES_H
 #define HLSC_MIDDLE_PRIMITIVES_H
 
@@ -18,15 +19,22 @@ enum class Primitive {
 
 Primitive primitive_of(const llvm::CallInst& call);
 
-llvm::CallInst* create_read(llvm::IRBuilder<>& builder, llvm::Value* stream, unsigned width, llvm::Value* predicate);
-llvm::CallInst* create_write(llvm::IRBuilder<>& builder, llvm::Value* stream, llvm::Value* data, llvm::Value* predicate);
+llvm::CallInst* create_read(llvm::IRBuilder<>& builder, llvm::Value* stream, unsigned width,
+                            llvm::Value* predicate);
+llvm::CallInst* create_write(llvm::IRBuilder<>& builder, llvm::Value* stream, llvm::Value* data,
+                             llvm::Value* predicate);
 /// hls.empty or hls.full.
 llvm::CallInst* create_status(llvm::IRBuilder<>& builder, const char* name, llvm::Value* stream);
-llvm::CallInst* create_load(llvm::IRBuilder<>& builder, llvm::Value* pointer, llvm::Type* type, llvm::Value* predicate);
-llvm::CallInst* create_store(llvm::IRBuilder<>& builder, llvm::Value* pointer, llvm::Value* data, llvm::Value* predicate);
+llvm::CallInst* create_load(llvm::IRBuilder<>& builder, llvm::Value* pointer, llvm::Type* type,
+                            llvm::Value* predicate);
+llvm::CallInst* create_store(llvm::IRBuilder<>& builder, llvm::Value* pointer, llvm::Value* data,
+                             llvm::Value* predicate);
 
 /// The pointer that a load or store, plain or predicated, goes through; null for other instructions.
 llvm::Value* accessed_pointer(llvm::Instruction& instruction);
+
+/// Makes every plain load and store a primitive, which LLVM neither merges nor moves into phis of pointers.
+void accesses_to_primitives(llvm::Function& function);
 
 }  // namespace hlsc
 

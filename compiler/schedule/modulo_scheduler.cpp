@@ -8,8 +8,8 @@ namespace {
 
 constexpr double kSlack = 1e-6;
 
-/// Cycles from the start of a value to its use in a later iteration: it waits in a register, which is loaded at the end
-/// of the cycle in which it is there.
+/// Cycles from the start of a value to its use in a later iteration: it waits in a register, which is loaded
+/// at the end of the cycle in which it is there.
 int carried_gap(const ScheduleProblem& problem, const Dependence& dependence) {
   return dependence.is_data ? problem.operations[dependence.from].latency + 1 : dependence.min_cycles;
 }
@@ -142,13 +142,16 @@ std::string verify(const ScheduleProblem& problem, const Schedule& schedule) {
     const ScheduleOperation& from = problem.operations[dependence.from];
     int start = schedule.cycle[dependence.from],
         end = schedule.cycle[dependence.to] + dependence.distance * problem.ii;
-    int gap = dependence.is_data && dependence.distance == 0 ? from.latency : carried_gap(problem, dependence);
+    int gap =
+        dependence.is_data && dependence.distance == 0 ? from.latency : carried_gap(problem, dependence);
     if (end < start + gap)
       return "operation " + std::to_string(dependence.to) + " starts before its dependence on " +
              std::to_string(dependence.from);
     bool chained = dependence.is_data && dependence.distance == 0 && end == start + from.latency;
     if (chained && schedule.begin[dependence.to] + kSlack < schedule.end[dependence.from])
-      return "operation " + std::to_string(dependence.to) + " starts before its operand " + std::to_string(dependence.from) + " is there: " + std::to_string(schedule.begin[dependence.to]) + " ns against " + std::to_string(schedule.end[dependence.from]) + " ns";
+      return "operation " + std::to_string(dependence.to) + " starts before its operand " +
+             std::to_string(dependence.from) + " is there: " + std::to_string(schedule.begin[dependence.to]) +
+             " ns against " + std::to_string(schedule.end[dependence.from]) + " ns";
   }
   std::vector<std::map<int, int>> used(problem.limits.size());
   for (size_t op = 0; op < problem.operations.size(); ++op) {
