@@ -244,7 +244,7 @@ TEST_P(Handwritten, polar_gives_the_bits_of_the_kernel) {
 }
 
 INSTANTIATE_TEST_SUITE_P(sizes, Handwritten,
-                         testing::Values(Size2{16, 16}, Size2{17, 3}, Size2{64, 1}, Size2{5, 9},
+                         testing::Values(Size2{24, 16}, Size2{17, 3}, Size2{64, 1}, Size2{5, 9},
                                          Size2{640, 8}),
                          [](const auto& info) {
                            return std::to_string(info.param.width) + "x" + std::to_string(info.param.height);
