@@ -1,34 +1,56 @@
 // Line table: LineSetup of each line for the polar engine, in two banks, so that the host can write a new set while the core reads.
 //
-// The host writes 32-bit words, four to a line; the core reads a whole line one cycle after read_enable.
+// The host writes 32-bit words, four to a line; a line enters the table with its last word. The core reads each field through a port
+// of its own, since its pipeline wants them in different cycles; a field is there one cycle after its enable.
 
 `default_nettype none
 
 module line_table #(
-    parameter LOG2_LINES = 7,   // lines of a bank
-    parameter LINE_WIDTH = 111  // bits of a LineSetup, at most 128
+    parameter LOG2_LINES = 7  // lines of a bank
 ) (
-    input  wire                  clk,
+    input  wire                     clk,
 
-    input  wire                  read_bank,      // bank of the core; the host writes the other one
+    input  wire                     read_bank,      // bank of the core; the host writes the other one
 
-    input  wire                  write,
-    input  wire [9:0]            write_address,  // line << 2 | word
-    input  wire [31:0]           write_data,
+    input  wire                     write,
+    input  wire [9:0]               write_address,  // line << 2 | word
+    input  wire [31:0]              write_data,
 
-    input  wire                  read_enable,
-    input  wire [LOG2_LINES-1:0] read_line,
-    output wire [LINE_WIDTH-1:0] read_data
+    // Field f (in the order of LineSetup) has bit f, bits LOG2_LINES * f and up, and its own bits of the packed struct.
+    input  wire [10:0]              read_enable,
+    input  wire [11*LOG2_LINES-1:0] read_line,
+    output wire [110:0]             read_data
 );
 
+    localparam FIELDS = 11;
+
+    function integer field_low;  // first bit of a field: 13 bits of first_column, eight of 12 bits, two of one
+        input integer field;
+        field_low = (field == 0) ? 0 : (field <= 9) ? 13 + 12 * (field - 1) : 110;
+    endfunction
+
+    // The words before the last one wait here.
+    reg  [95:0]           words_reg;
     wire [LOG2_LINES-1:0] write_line = write_address[LOG2_LINES+1:2];
     wire                  beyond     = (write_address >> (LOG2_LINES + 2)) != 10'd0;  // a line that this build does not hold
+    wire                  complete   = write && !beyond && (write_address[1:0] == 2'd3);
+    wire [110:0]          line       = {write_data[14:0], words_reg};
+    wire                  unused_top = &{1'b0, write_data[31:15]};
 
-    genvar word;
+    always @(posedge clk) begin
+        if (write && write_address[1:0] == 2'd0)
+            words_reg[31:0] <= write_data;
+        if (write && write_address[1:0] == 2'd1)
+            words_reg[63:32] <= write_data;
+        if (write && write_address[1:0] == 2'd2)
+            words_reg[95:64] <= write_data;
+    end
+
+    genvar field;
     generate
-        for (word = 0; word < 4; word = word + 1) begin : words
-            localparam LEFT  = LINE_WIDTH - 32 * word;
-            localparam WIDTH = LEFT > 32 ? 32 : LEFT;
+        for (field = 0; field < FIELDS; field = field + 1) begin : fields
+            localparam LOW   = field_low(field);
+            localparam WIDTH = (field == FIELDS - 1) ? 1 : field_low(field + 1) - LOW;
 
             ram_1r1w #(
                 .WIDTH        (WIDTH),
@@ -36,12 +58,12 @@ module line_table #(
                 .ADDRESS_WIDTH(LOG2_LINES + 1)
             ) ram (
                 .clk          (clk),
-                .write_enable (write && !beyond && write_address[1:0] == word),
+                .write_enable (complete),
                 .write_address({!read_bank, write_line}),
-                .write_data   (write_data[WIDTH-1:0]),
-                .read_enable  (read_enable),
-                .read_address ({read_bank, read_line}),
-                .read_data    (read_data[32*word +: WIDTH])
+                .write_data   (line[LOW +: WIDTH]),
+                .read_enable  (read_enable[field]),
+                .read_address ({read_bank, read_line[field*LOG2_LINES +: LOG2_LINES]}),
+                .read_data    (read_data[LOW +: WIDTH])
             );
         end
     endgenerate
