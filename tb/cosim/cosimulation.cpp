@@ -6,7 +6,7 @@
 #include <bit>
 #include <chrono>
 
-#include "host/packing.h"
+#include "tb/cosim/comparison.h"
 #include "tb/cosim/top.h"
 #include "tb/cosim/video.h"
 #include "tb/csim/csim.h"
@@ -20,42 +20,6 @@ constexpr std::uint32_t kFaultEvents =
     FLOORLINE_INTERRUPT_STATUS_EARLY_SOF_MASK | FLOORLINE_INTERRUPT_STATUS_LATE_SOF_MASK |
     FLOORLINE_INTERRUPT_STATUS_SHORT_LINE_MASK | FLOORLINE_INTERRUPT_STATUS_LONG_LINE_MASK |
     FLOORLINE_INTERRUPT_STATUS_DISABLED_IN_FRAME_MASK | FLOORLINE_INTERRUPT_STATUS_FRAME_DROPPED_MASK;
-
-/// Elements of a frame as the core packs them, with the one that ends it.
-template <typename Element>
-std::vector<PackedElement> packet(const std::vector<Element>& elements) {
-  std::vector<PackedElement> packed;
-  for (const Element& element : elements) packed.push_back(pack(element));
-  if (elements.empty() || !elements.back().end) {
-    Element end = {};
-    end.end = 1;
-    packed.push_back(pack(end));
-  }
-  return packed;
-}
-
-std::string hexadecimal(const PackedElement& e) {
-  return fmt::format("{:08x}{:08x}{:08x}{:08x}", e[3], e[2], e[1], e[0]);
-}
-
-/// Differing bits of two packets. The first difference of the frame is put into words.
-long compare(const char* name, const std::vector<PackedElement>& expected, const Packet& got,
-             std::string& first) {
-  constexpr PackedElement kNone = {0xffffffff, 0xffffffff, 0xffffffff, 0xffffffff};
-  long bits = got.malformed;
-  for (std::size_t i = 0; i < std::max(expected.size(), got.elements.size()); ++i) {
-    const PackedElement& want = i < expected.size() ? expected[i] : kNone;
-    const PackedElement& is = i < got.elements.size() ? got.elements[i] : kNone;
-    if (want == is) continue;
-    for (std::size_t word = 0; word < want.size(); ++word) bits += std::popcount(want[word] ^ is[word]);
-    if (first.empty()) {
-      first = fmt::format("{}[{}] of {} is {}, the C simulation has {} (of {})", name, i, got.elements.size(),
-                          hexadecimal(is), hexadecimal(want), expected.size());
-    }
-  }
-  if (got.malformed && first.empty()) first = fmt::format("{} are marked malformed", name);
-  return bits;
-}
 
 struct Waves {
   int frame;
@@ -86,11 +50,6 @@ class Session {
   const Result& result() const { return result_; }
 
  private:
-  struct Expected {
-    std::vector<PackedElement> points, obstacles, counts;
-    std::uint32_t null_pixels;
-  };
-
   static double seconds(Clock::time_point since) {
     return std::chrono::duration<double>(Clock::now() - since).count();
   }
@@ -116,12 +75,11 @@ class Session {
     return input;
   }
 
-  Expected simulate(const FrameInput& input) {
+  ExpectedFrame simulate(const FrameInput& input) {
     const auto start = Clock::now();
     const FrameOutput output = csim_.run(input.image, input.parameters, input.lines);
     csim_seconds_ += seconds(start);
-    return {packet(output.points), packet(output.obstacles), packet(output.counts),
-            static_cast<std::uint32_t>(output.null_pixels)};
+    return ExpectedFrame(output);
   }
 
   /// Waits for the results of the frame that was sent last but one row ago, and compares.
@@ -132,15 +90,15 @@ class Session {
     });
     FrameVerdict verdict;
     const auto take = [&](const char* name, const std::vector<PackedElement>& expected, PacketSink& sink) {
-      const long bits = compare(name, expected, sink.packets.front(), verdict.first_difference);
+      const long bits = compare(name, expected, false, sink.packets.front(), verdict.first_difference);
       sink.packets.pop_front();
       return bits;
     };
-    verdict.point_count = expected_.points.size() - 1;
-    verdict.obstacle_count = expected_.obstacles.size() - 1;
-    verdict.points = take("points", expected_.points, top_.points());
-    verdict.obstacles = take("obstacles", expected_.obstacles, top_.obstacles());
-    verdict.counts = take("counts", expected_.counts, top_.counts());
+    verdict.point_count = expected_->points.size() - 1;
+    verdict.obstacle_count = expected_->obstacles.size() - 1;
+    verdict.points = take("points", expected_->points, top_.points());
+    verdict.obstacles = take("obstacles", expected_->obstacles, top_.obstacles());
+    verdict.counts = take("counts", expected_->counts, top_.counts());
     compare_registers(verdict);
     result_.frames.push_back(verdict);
   }
@@ -148,14 +106,14 @@ class Session {
   void compare_registers(FrameVerdict& verdict) {
     verdict.counters = driver_.counters();
     const std::uint32_t faults = driver_.take_events() & kFaultEvents;
-    verdict.registers = std::popcount(verdict.counters.null_pixels ^ expected_.null_pixels) +
+    verdict.registers = std::popcount(verdict.counters.null_pixels ^ expected_->null_pixels) +
                         std::popcount(verdict.counters.malformed_frames) +
                         std::popcount(verdict.counters.dropped_frames) + std::popcount(faults);
     if (verdict.registers && verdict.first_difference.empty()) {
       verdict.first_difference = fmt::format(
           "NULL_PIXELS is {}, the C simulation has {}; {} malformed and {} dropped frames, "
           "fault events {:#x}",
-          verdict.counters.null_pixels, expected_.null_pixels, verdict.counters.malformed_frames,
+          verdict.counters.null_pixels, expected_->null_pixels, verdict.counters.malformed_frames,
           verdict.counters.dropped_frames, faults);
     }
     const std::size_t frame = result_.frames.size();
@@ -168,7 +126,7 @@ class Session {
   Top top_;
   CSimulation csim_;
   Driver driver_;
-  Expected expected_;
+  std::optional<ExpectedFrame> expected_;
   Result result_;
   double csim_seconds_ = 0;
 };
