@@ -65,7 +65,7 @@ struct Operation {
   ValueId predicate = kNoValue;  ///< Effects happen only when it is 1; kNoValue: always.
   llvm::APInt constant;
   CompareKind compare = CompareKind::kEq;
-  unsigned operand_width = 0;  ///< Of a comparison: the type width of what it compares.
+  unsigned operand_width = 0;  ///< Of a comparison or an extension: the type width of its operands.
   int object = -1;             ///< Index of the memory, stream or scalar port.
   int block = -1;
   std::string name;  ///< Unique in the process, a Verilog identifier.
@@ -97,6 +97,7 @@ struct Memory {
   uint64_t depth = 1;
   std::vector<llvm::APInt> initial;  ///< Static or constant contents; empty: undefined at start.
   bool independent = false;          ///< DEPENDENCE inter false.
+  bool is_aggregate = false;    ///< A port whose words are whole structs, first member in the lowest bits.
   bool is_read = false, is_written = false;
   unsigned load_latency = 1;
   int argument = -1;         ///< Of a port: index of the parameter.

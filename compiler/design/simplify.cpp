@@ -21,6 +21,10 @@ ValueId source_of_copy(const Process& process, const Operation& op) {
 }  // namespace
 
 void forward_copies(Process& process) {
+  // An extension still has to know from which width it extends.
+  for (Operation& op : process.operations)
+    if (op.kind == OpKind::kZExt || op.kind == OpKind::kSExt)
+      op.operand_width = process[op.operands[0]].type_width;
   std::vector<ValueId> target(process.operations.size());
   for (size_t id = 0; id < target.size(); ++id) target[id] = id;
   for (size_t id = 0; id < target.size(); ++id) {

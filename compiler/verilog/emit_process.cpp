@@ -65,19 +65,19 @@ class ProcessEmitter {
   void name_states() {
     states_.push_back("S_IDLE");
     for (size_t block = 0; block < process_.blocks.size(); ++block) {
-      if (is_loop(block)) {
-        states_.push_back(state_name(block, 0));
-      } else if (!is_passed_over(block)) {
-        for (int cycle = 0; cycle < timing(block).length; ++cycle)
-          states_.push_back(state_name(block, cycle));
-      }
+      state_names_.emplace_back();
+      if (is_passed_over(block)) continue;
+      int count = is_loop(block) ? 1 : timing(block).length;
+      std::string stem = "S_" + upper(block_of(block).name);
+      for (int cycle = 0; cycle < count; ++cycle)
+        state_names_[block].push_back(names_.unique(count == 1 ? stem : stem + "_" + std::to_string(cycle)));
+      states_.insert(states_.end(), state_names_[block].begin(), state_names_[block].end());
     }
     states_.push_back("S_DONE");
   }
 
-  std::string state_name(int block, int cycle) const {
-    std::string name = "S_" + upper(block_of(block).name);
-    return is_loop(block) || timing(block).length == 1 ? name : name + "_" + std::to_string(cycle);
+  const std::string& state_name(int block, int cycle) const {
+    return state_names_.at(block).at(is_loop(block) ? 0 : cycle);
   }
 
   /// A block without work: control goes to its target at once.
@@ -219,8 +219,7 @@ class ProcessEmitter {
     if (!is_constant(op.operands[1])) {
       unsigned width = std::max(source, op.bits);
       std::string from = text(op.operands[0], width, at);
-      if (fill_sign && !value.is_signed)
-        from = resized_text(signal(op.operands[0], at), value.bits, true, width);
+      if (fill_sign && !value.is_signed) from = sign_filled(op.operands[0], width, at);
       std::string result =
           fill_sign ? "$signed(" + from + ") >>> " + amount(op, at) : from + " >> " + amount(op, at);
       return width == op.bits ? result : wide_slice(op, result, width, fill_sign);
@@ -274,17 +273,23 @@ class ProcessEmitter {
   }
 
   std::string zero_extended(const Operation& op, Place at) {
-    const Operation& source = process_[op.operands[0]];
-    unsigned low = std::min(op.bits, source.type_width);
+    unsigned low = std::min(op.bits, op.operand_width);
     std::string part = text(op.operands[0], low, at);
     return low == op.bits ? part : "{" + std::to_string(op.bits - low) + "'d0, " + part + "}";
   }
 
   std::string sign_extended(const Operation& op, Place at) {
     const Operation& source = process_[op.operands[0]];
-    if (source.is_signed || source.bits < source.type_width || op.bits <= source.bits)
+    if (source.is_signed || source.bits < op.operand_width || op.bits <= source.bits)
       return text(op.operands[0], op.bits, at);
-    return resized_text(signal(op.operands[0], at), source.bits, true, op.bits);
+    return sign_filled(op.operands[0], op.bits, at);
+  }
+
+  /// A value whose representation is as wide as its type, as a number with sign of `width` bits.
+  std::string sign_filled(ValueId id, unsigned width, Place at) {
+    const Operation& op = process_[id];
+    if (op.kind == OpKind::kConstant) return literal_text(op.constant.sextOrTrunc(width), width);
+    return resized_text(signal(id, at), op.bits, true, width);
   }
 
   std::string comparison(const Operation& op, Place at) {
@@ -914,6 +919,7 @@ class ProcessEmitter {
   const ProcessSchedule& schedule_;
   NameTable names_;
   std::vector<std::string> states_;
+  std::vector<std::vector<std::string>> state_names_;  ///< By block and cycle.
   std::map<ValueId, int> last_stage_;
   std::set<ValueId> held_;
   std::map<int, std::vector<ValueId>> accesses_, stream_accesses_, outputs_;
