@@ -200,7 +200,7 @@ module floorline_top #(
         .rule_min_lines      (rule_min_lines)
     );
 
-    // Video in: buffered, so that no path runs from TVALID to TREADY, then guarded, then buffered for the core.
+    // Video in: buffered, so that no path runs from TVALID to TREADY, then guarded. The core buffers its inputs itself.
     wire [25:0]  video;
     wire         video_valid, video_ready;
     wire [23:0]  pixel;
@@ -208,8 +208,6 @@ module floorline_top #(
     wire         start_request, start_grant, refuse;
     wire         frame_done, frame_malformed, early_sof, late_sof, short_line, long_line, disabled_in_frame, frame_dropped;
     wire         line_done;
-    wire [23:0]  pixels_tdata;
-    wire         pixels_tvalid, pixels_tready;
 
     skid_buffer #(
         .WIDTH(26)
@@ -250,19 +248,6 @@ module floorline_top #(
         .long_line          (long_line),
         .disabled_in_frame  (disabled_in_frame),
         .frame_dropped      (frame_dropped)
-    );
-
-    skid_buffer #(
-        .WIDTH(24)
-    ) pixel_buffer (
-        .clk    (aclk),
-        .rst    (rst),
-        .s_data (pixel),
-        .s_valid(pixel_valid),
-        .s_ready(pixel_ready),
-        .m_data (pixels_tdata),
-        .m_valid(pixels_tvalid),
-        .m_ready(pixels_tready)
     );
 
     // Start of frame.
@@ -333,9 +318,9 @@ module floorline_top #(
         .ap_ready                                (core_ready),
         .ap_done                                 (unused_done),
         .ap_idle                                 (unused_idle),
-        .pixels_TDATA                            (pixels_tdata),
-        .pixels_TVALID                           (pixels_tvalid),
-        .pixels_TREADY                           (pixels_tready),
+        .pixels_TDATA                            (pixel),
+        .pixels_TVALID                           (pixel_valid),
+        .pixels_TREADY                           (pixel_ready),
         .points_TDATA                            (points_tdata),
         .points_TVALID                           (points_tvalid),
         .points_TREADY                           (points_tready),

@@ -3,6 +3,7 @@
 //
 // The frame guard tells at the end of each input frame whether it was malformed; that may be several frames before its results
 // leave, so the answers wait in a queue. `room`: one more frame may start; `empty`: no frame's results are outstanding.
+// The core's outputs are registered, so nothing is buffered here.
 
 `default_nettype none
 
@@ -29,13 +30,16 @@ module result_stream #(
     output wire             empty
 );
 
-    wire malformed, malformed_known, buffer_ready;
+    wire malformed, malformed_known;
     wire last    = s_tdata[END_BIT];
     wire allowed = !last || malformed_known;
-    wire ended   = s_tvalid && s_tready && last;
 
-    assign s_tready = buffer_ready && allowed;
-    assign empty    = !malformed_known;
+    assign s_tready      = m_axis_tready && allowed;
+    assign m_axis_tdata  = s_tdata;
+    assign m_axis_tuser  = last && malformed;
+    assign m_axis_tlast  = last;
+    assign m_axis_tvalid = s_tvalid && allowed;
+    assign empty         = !malformed_known;
 
     fifo #(
         .WIDTH(1),
@@ -48,20 +52,7 @@ module result_stream #(
         .s_ready(room),
         .m_data (malformed),
         .m_valid(malformed_known),
-        .m_ready(ended)
-    );
-
-    skid_buffer #(
-        .WIDTH(WIDTH + 2)
-    ) buffer (
-        .clk    (clk),
-        .rst    (rst),
-        .s_data ({last && malformed, last, s_tdata}),
-        .s_valid(s_tvalid && allowed),
-        .s_ready(buffer_ready),
-        .m_data ({m_axis_tuser, m_axis_tlast, m_axis_tdata}),
-        .m_valid(m_axis_tvalid),
-        .m_ready(m_axis_tready)
+        .m_ready(m_axis_tvalid && m_axis_tready && last)
     );
 
 endmodule

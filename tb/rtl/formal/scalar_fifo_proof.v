@@ -1,0 +1,30 @@
+// Proof bench of rtl/lib/scalar_fifo.v; DEPTH is set by the proof.
+
+`default_nettype none
+
+module scalar_fifo_proof #(
+    parameter DEPTH = 2
+) (
+    input wire       clk,
+    input wire       rst,
+    input wire [1:0] s_data,
+    input wire       s_valid,
+    input wire       m_ready,
+    input wire       mark
+);
+
+    wire [1:0] m_data;
+    wire       s_ready, m_valid;
+
+    scalar_fifo #(.WIDTH(2), .DEPTH(DEPTH)) buffer (
+        .clk(clk), .rst(rst), .s_data(s_data), .s_valid(s_valid), .s_ready(s_ready), .m_data(m_data), .m_valid(m_valid), .m_ready(m_ready)
+    );
+
+    stream_buffer_properties #(.WIDTH(2), .DEPTH(DEPTH), .LATENCY(1)) properties (
+        .clk(clk), .rst(rst), .s_data(s_data), .s_valid(s_valid), .s_ready(s_ready), .m_data(m_data), .m_valid(m_valid), .m_ready(m_ready),
+        .mark(mark)
+    );
+
+endmodule
+
+`default_nettype wire
