@@ -270,22 +270,35 @@ void reset_once() {
   void sample_memory(size_t i) {
     const InterfaceMemory& memory = ports_.memories[i];
     std::string prefix = "memory_" + std::to_string(i);
-    if (memory.is_read)
-      out_ << "    bool " << prefix << "_ce = dut()." << memory.read_enable << ";\n    uint64_t " << prefix
-           << "_at = dut()." << memory.read_address << ";\n";
     std::string element = "(unsigned char*)" + object_of(memory.argument) + " + ";
     if (memory.is_written) {
-      out_ << "    if (dut()." << memory.write_enable << ") {\n      moved = true;\n      unpack(get(dut()."
-           << memory.write_data << ", " << memory.width << "), 0, " << memory.width << ", "
-           << (memory.leaf.is_signed ? "true" : "false") << ", " << element << "uint64_t{dut()."
-           << memory.write_address << "} * " << memory.stride << ", " << memory.leaf.byte_offset << ", "
-           << memory.leaf.bytes << ");\n    }\n";
+      out_ << "    if (dut()." << memory.write_enable << ") {\n      moved = true;\n";
+      for_each_leaf(memory, [&](const Leaf& leaf, unsigned low) {
+        out_ << "      unpack(slice(get(dut()." << memory.write_data << ", " << memory.width << "), "
+             << leaf_place(leaf, low) << "), 0, " << leaf.width << ", " << (leaf.is_signed ? "true" : "false")
+             << ", " << element << "uint64_t{dut()." << memory.write_address << "} * " << memory.stride
+             << ", " << leaf.byte_offset << ", " << leaf.bytes << ");\n";
+      });
+      out_ << "    }\n";
     }
-    if (memory.is_read) {
-      out_ << "    Bits " << prefix << "_word = zero_bits(" << memory.width << ");\n    if (" << prefix
-           << "_ce && " << prefix << "_at < " << memory.depth << ") {\n      moved = true;\n      pack("
-           << prefix << "_word, 0, " << memory.width << ", " << element << prefix << "_at * " << memory.stride
-           << ", " << memory.leaf.byte_offset << ");\n    }\n";
+    if (!memory.is_read) return;
+    out_ << "    bool " << prefix << "_ce = dut()." << memory.read_enable << ";\n    uint64_t " << prefix
+         << "_at = dut()." << memory.read_address << ";\n    Bits " << prefix << "_word = zero_bits("
+         << memory.width << ");\n    if (" << prefix << "_ce && " << prefix << "_at < " << memory.depth
+         << ") {\n      moved = true;\n";
+    for_each_leaf(memory, [&](const Leaf& leaf, unsigned low) {
+      out_ << "      pack(" << prefix << "_word, " << leaf_place(leaf, low) << ", " << element << prefix
+           << "_at * " << memory.stride << ", " << leaf.byte_offset << ");\n";
+    });
+    out_ << "    }\n";
+  }
+
+  template <class Body>
+  static void for_each_leaf(const InterfaceMemory& memory, Body body) {
+    unsigned low = 0;
+    for (const Leaf& leaf : memory.leaves) {
+      body(leaf, low);
+      low += leaf.width;
     }
   }
 

@@ -6,6 +6,7 @@
 #include <llvm/Analysis/TargetLibraryInfo.h>
 #include <llvm/IR/PatternMatch.h>
 
+#include <numeric>
 #include <optional>
 
 #include "design/names.h"
@@ -39,6 +40,8 @@ struct MemoryObject {
   std::vector<std::string> leaf_names;
   int argument = -1;
   int llvm_argument = -1;
+  bool is_aggregate =
+      false;  ///< AGGREGATE on an array of structs outside that is only read: one word an element.
   bool is_scalar_port = false;                          ///< Leaves are scalar ports, not memories.
   std::vector<Partition> partitions;                    ///< By dimension.
   std::map<std::pair<size_t, uint64_t>, int> memories;  ///< (leaf, bank) -> index in Process::memories.
@@ -82,6 +85,7 @@ class ProcessBuilder {
     region_ = &region;
     region_processes_ = &processes;
     region.head = build();
+    region.head.streams.clear();  // They pass the head by.
     return region;
   }
 
@@ -203,8 +207,20 @@ class ProcessBuilder {
     if (is_open && has_only_constant_zero_accesses(argument, parameter.layout.bytes)) dims.clear();
     if (!dims.empty() && dims[0] == 0) dims[0] = port_depth(parameter.name);
     object.is_scalar_port = dims.empty();
+    object.is_aggregate = !dims.empty() && is_aggregated(argument) && !is_stored_to(argument);
     add_layout(object, parameter.layout, dims);
     object.partitions.resize(dims.size());
+  }
+
+  bool is_aggregated(Argument& argument) {
+    return !middle_.directives.of(&argument, "AGGREGATE").empty() ||
+           !middle_.directives.of(&argument, "DATA_PACK").empty();
+  }
+
+  bool is_stored_to(Argument& argument) {
+    return any_of(instructions(function_), [&](Instruction& instruction) {
+      return is_store(instruction) && getUnderlyingObject(accessed_pointer(instruction), 0) == &argument;
+    });
   }
 
   uint64_t port_depth(const std::string& name) {
@@ -355,6 +371,12 @@ class ProcessBuilder {
     memory.width = object.widths[leaf];
     memory.is_signed = object.signedness[leaf];
     memory.independent = is_independent(pointer);
+    memory.is_aggregate = object.is_aggregate;
+    if (object.is_aggregate) {
+      memory.name = names_.unique(object.name);
+      memory.width = low_bit(object, object.leaves.size());
+      memory.is_signed = false;
+    }
     auto* global = dyn_cast<GlobalVariable>(pointer);
     if (global) memory.initial = initial_words(*global, object, leaf, bank, memory.depth);
     if (object.argument >= 0) {
@@ -575,6 +597,16 @@ class ProcessBuilder {
     return id;
   }
 
+  /// As add, for operations without effect: one that is there already in the block is used again.
+  ValueId add_shared(const Operation& operation, const Instruction& source,
+                     const std::string& wanted_name = "") {
+    auto key = std::make_tuple(current_block_, operation.kind, operation.type_width, operation.operand_width,
+                               operation.compare, operation.operands);
+    auto known = shared_.find(key);
+    if (known != shared_.end()) return known->second;
+    return shared_[key] = add(operation, source, wanted_name);
+  }
+
   static const char* kind_name(OpKind kind) {
     switch (kind) {
       case OpKind::kAdd:
@@ -631,7 +663,7 @@ class ProcessBuilder {
     operation.kind = kind;
     operation.type_width = process_[first].type_width;
     operation.operands = {first, second};
-    return add(operation, source, kind == OpKind::kAdd || kind == OpKind::kMul ? "index" : "");
+    return add_shared(operation, source, kind == OpKind::kAdd || kind == OpKind::kMul ? "index" : "");
   }
   ValueId compare(CompareKind kind, ValueId first, ValueId second, const Instruction& source) {
     Operation operation;
@@ -640,7 +672,7 @@ class ProcessBuilder {
     operation.operand_width = process_[first].type_width;
     operation.type_width = 1;
     operation.operands = {first, second};
-    return add(operation, source);
+    return add_shared(operation, source);
   }
   ValueId select(ValueId condition, ValueId yes, ValueId no, const Instruction& source,
                  const std::string& name = "") {
@@ -648,7 +680,7 @@ class ProcessBuilder {
     operation.kind = OpKind::kSelect;
     operation.type_width = process_[yes].type_width;
     operation.operands = {condition, yes, no};
-    return add(operation, source, name);
+    return add_shared(operation, source, name);
   }
   ValueId resized(ValueId value, unsigned width, bool is_signed, const Instruction& source) {
     unsigned from = process_[value].type_width;
@@ -660,7 +692,7 @@ class ProcessBuilder {
     operation.kind = from > width ? OpKind::kTrunc : is_signed ? OpKind::kSExt : OpKind::kZExt;
     operation.type_width = width;
     operation.operands = {value};
-    return add(operation, source, process_[value].name);
+    return add_shared(operation, source, process_[value].name);
   }
 
   ValueId value_of(Value* value) {
@@ -1224,8 +1256,7 @@ class ProcessBuilder {
     if (object.is_scalar_port && !object.memories.count({address.leaf, 0}))
       return resized(input_values_[{&object, address.leaf}], width, false, instruction);
     Value* pointer = last_object_pointer_;
-    auto* call = dyn_cast<CallInst>(&instruction);
-    ValueId predicate = call ? predicate_of(call->getArgOperand(1)) : kNoValue;
+    // A load that the program skips does no harm: it needs no predicate and can start early.
     Place place = place_of(address, instruction);
     unsigned memory_width = object.leaves[address.leaf].bytes * 8;
     auto load_bank = [&](uint64_t bank) {
@@ -1234,10 +1265,11 @@ class ProcessBuilder {
       operation.object = memory_of(object, pointer, address.leaf, bank);
       operation.type_width = memory_width;
       operation.operands = {place.address};
-      operation.predicate = predicate;
       process_.memories[operation.object].is_read = true;
       return add(operation, instruction, process_.memories[operation.object].name + "_data");
     };
+    if (object.is_aggregate)
+      return resized(load_member(address, place, pointer, instruction), width, false, instruction);
     ValueId loaded;
     if (is_constant(place.bank)) {
       loaded = load_bank(checked_bank(place, object, instruction));
@@ -1249,6 +1281,32 @@ class ProcessBuilder {
       }
     }
     return resized(loaded, width, false, instruction);
+  }
+
+  /// Bits of an aggregate's word below a leaf.
+  static unsigned low_bit(const MemoryObject& object, size_t leaf) {
+    return std::accumulate(object.widths.begin(), object.widths.begin() + leaf, 0u);
+  }
+
+  /// A member of an element outside: all members of one element share one access.
+  ValueId load_member(const Address& address, const Place& place, Value* pointer, Instruction& instruction) {
+    MemoryObject& object = *address.object;
+    int memory = memory_of(object, pointer, 0, 0);
+    ValueId& word =
+        shared_words_.emplace(std::make_tuple(current_block_, memory, place.address), kNoValue).first->second;
+    if (word == kNoValue) {
+      Operation operation;
+      operation.kind = OpKind::kLoad;
+      operation.object = memory;
+      operation.type_width = process_.memories[memory].width;
+      operation.operands = {place.address};
+      process_.memories[memory].is_read = true;
+      word = add(operation, instruction, process_.memories[memory].name + "_word");
+    }
+    unsigned low = low_bit(object, address.leaf), whole = process_[word].type_width;
+    ValueId part = low ? binary(OpKind::kLShr, word, constant_value(APInt(whole, low)), instruction) : word;
+    part = resized(part, object.widths[address.leaf], false, instruction);
+    return resized(part, object.leaves[address.leaf].bytes * 8, object.signedness[address.leaf], instruction);
   }
 
   uint64_t checked_bank(const Place& place, const MemoryObject& object, const Instruction& instruction) {
@@ -1391,6 +1449,8 @@ class ProcessBuilder {
   Value* last_object_pointer_ = nullptr;
   std::map<Value*, ValueId> values_;
   std::map<std::pair<unsigned, std::string>, ValueId> constants_;
+  std::map<std::tuple<int, OpKind, unsigned, unsigned, CompareKind, std::vector<ValueId>>, ValueId> shared_;
+  std::map<std::tuple<int, int, ValueId>, ValueId> shared_words_;  ///< Loads of whole elements from ports.
   std::map<BasicBlock*, int> block_ids_;
   std::map<Value*, MemoryObject> objects_;
   std::map<std::pair<MemoryObject*, size_t>, ValueId> input_values_;

@@ -97,7 +97,7 @@ struct Memory {
   uint64_t depth = 1;
   std::vector<llvm::APInt> initial;  ///< Static or constant contents; empty: undefined at start.
   bool independent = false;          ///< DEPENDENCE inter false.
-  bool is_aggregate = false;    ///< A port whose words are whole structs, first member in the lowest bits.
+  bool is_aggregate = false;  ///< A port whose words are whole structs, first member in the lowest bits.
   bool is_read = false, is_written = false;
   unsigned load_latency = 1;
   int argument = -1;         ///< Of a port: index of the parameter.

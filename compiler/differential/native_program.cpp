@@ -92,6 +92,8 @@ class NativeProgram {
 
   void memory(std::size_t i) {
     const InterfaceMemory& memory = ports_.memories[i];
+    std::string leaves;
+    for (const Leaf& leaf : memory.leaves) leaves += (leaves.empty() ? "" : ", ") + leaf_text(leaf);
     for (const char* moment : {"before", "after"}) {
       std::string words = fmt::format("memory_{}_{}", i, moment);
       declare_words(words);
@@ -99,7 +101,7 @@ class NativeProgram {
           "    for (long i = 0; i < {}; ++i) {}.object(reinterpret_cast<const char*>(object_{}) + i * {}, "
           "{{{}}});\n",
           element_count(compiled_, steering_, memory.argument), words, memory.argument, memory.stride,
-          leaf_text(memory.leaf));
+          leaves);
       (std::string(moment) == "before" ? before_ : after_) += record;
     }
   }

@@ -9,9 +9,16 @@
 
 namespace hlsc {
 
+/// Types and streams of the vendor's library are not the user's source.
+inline bool is_library_file(llvm::StringRef file) {
+  return file.contains("/hls_stream.h") || file.contains("/compat/");
+}
+
 inline SourceLocation location_of(const llvm::DebugLoc& debug) {
   if (!debug) return {};
-  return {debug->getFilename().str(), debug.getLine(), debug.getCol()};
+  const llvm::DILocation* place = debug.get();
+  while (is_library_file(place->getFilename()) && place->getInlinedAt()) place = place->getInlinedAt();
+  return {place->getFilename().str(), place->getLine(), place->getColumn()};
 }
 inline SourceLocation location_of(const llvm::Instruction& instruction) {
   return location_of(instruction.getDebugLoc());

@@ -2,6 +2,7 @@
 
 #include "design/build.h"
 #include "design/divide.h"
+#include "design/exclusive.h"
 #include "design/names.h"
 #include "design/narrow.h"
 #include "design/simplify.h"
@@ -45,6 +46,7 @@ class Compilation {
 
  private:
   CompiledProcess scheduled(Process process) {
+    merge_exclusive_accesses(process);
     narrow(process);
     expand_divisions(process);
     narrow(process);

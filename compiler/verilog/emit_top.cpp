@@ -208,7 +208,7 @@ class TopWriter {
       const Parameter& parameter = top_.parameters[outside.argument];
       outside.stride = parameter.layout.bytes;
       for (const Leaf& leaf : parameter.layout.leaves)
-        if (leaf.byte_offset == memory.byte_offset) outside.leaf = leaf;
+        if (memory.is_aggregate || leaf.byte_offset == memory.byte_offset) outside.leaves.push_back(leaf);
       outside.is_read = memory.is_read;
       outside.is_written = memory.is_written;
       unsigned address = address_bits(memory.depth);

@@ -35,7 +35,7 @@ struct InterfaceMemory {
   uint64_t depth = 0, stride = 0;  ///< Words; bytes from element to element in C++.
   bool is_read = false, is_written = false;
   int argument = -1;
-  Leaf leaf;
+  std::vector<Leaf> leaves;  ///< Of an element, in the word's bits from the lowest.
 };
 
 struct TopInterface {
