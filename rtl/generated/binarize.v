@@ -42,8 +42,8 @@ module binarize (
     wire stall;
     wire for_3_ce;
 
-    // hls_stream.h:33:5: entry
-    wire [7:0] thresholds_data = thresholds_dout;  // hls_stream.h:33
+    // binarize.h:25:48: entry
+    wire [7:0] thresholds_data = thresholds_dout;  // binarize.h:25
     wire test = parameters_override_high_V == 8'd0;  // binarize.h:17
     wire test_2 = thresholds_data > parameters_floor_V;  // binarize.h:17
     wire [7:0] data = test_2 ? thresholds_data : parameters_floor_V;  // binarize.h:17
@@ -52,11 +52,11 @@ module binarize (
     wire test_3 = height == 12'd0;  // binarize.h:28
 
     // binarize.h:28:3: loop for_3, II = 1, 1 stage
-    wire [7:0] in_data = in_dout;  // hls_stream.h:33
+    wire [7:0] in_data = in_dout;  // binarize.h:31
     wire test_4 = in_data > high_q;  // binarize.h:32
     wire test_5 = in_data > parameters_low_V;  // binarize.h:32
-    wire [1:0] chosen = test_4 ? 2'd2 : 2'd0;  // ap_int.h:100
-    wire [1:0] either = chosen | {1'd0, test_5};  // ap_int.h:100
+    wire [1:0] chosen = test_4 ? 2'd2 : 2'd0;  // binarize.h:32
+    wire [1:0] either = chosen | {1'd0, test_5};  // binarize.h:32
     wire test_6 = at_3 == at_q;  // raster.h:18
     wire [11:0] sum = at_3 + 12'd1;  // raster.h:21
     wire [11:0] at_4 = test_6 ? 12'd0 : sum;  // raster.h:21

@@ -41,7 +41,7 @@ module difference (
     wire test = height == 12'd0;  // difference.h:29
 
     // difference.h:29:3: loop for_3, II = 1, 1 stage
-    wire [32:0] in_data = in_dout;  // hls_stream.h:33
+    wire [32:0] in_data = in_dout;  // difference.h:32
     wire [31:0] value_4 = in_data[31:0];  // difference.h:32
     wire [7:0] pair = in_data[7:0];  // difference.h:32
     wire [7:0] pair_2 = value_4[15:8];  // difference.h:32

@@ -69,7 +69,7 @@ module erode (
     wire test = height == 12'd0;  // erode.h:38
 
     // erode.h:38:3: loop for_3, II = 1, 1 stage
-    wire [1:0] in_data = in_dout;  // hls_stream.h:33
+    wire [1:0] in_data = in_dout;  // erode.h:41
     wire test_2 = at_3 == at_q;  // raster.h:18
     wire [11:0] sum = at_3 + 12'd1;  // raster.h:21
     wire [11:0] at_4 = test_2 ? 12'd0 : sum;  // raster.h:21
@@ -89,7 +89,7 @@ module erode (
     wire either = test_5 | both_2;
     wire [9:0] value_6 = at_6[9:0];  // window.h:43
     wire [3:0] rows_above_data = rows_above_q;  // window.h:43
-    wire [1:0] value_7 = rows_above_data[1:0];  // ap_int.h:100
+    wire [1:0] value_7 = rows_above_data[1:0];  // window.h:44
     wire test_8 = at_7 == 12'd1;  // window.h:45
     wire [1:0] shifted = rows_above_data[3:2];  // window.h:45
     wire [1:0] top = test_8_s1 ? rows_above_data[1:0] : shifted;  // window.h:45
@@ -97,16 +97,16 @@ module erode (
     wire both_3 = either & test_9;  // window.h:43
     wire differs = ~test_9;  // window.h:43
     wire both_4 = either & differs;  // window.h:43
-    wire [1:0] in_data_2 = in_dout;  // hls_stream.h:33
-    wire [1:0] value_8 = rows_above_data[1:0];  // ap_int.h:100
-    wire [3:0] shifted_2 = {value_8, 2'd0};  // ap_int.h:100
-    wire [3:0] either_2 = shifted_2 | {2'd0, in_data_2_s1};  // ap_int.h:100
+    wire [1:0] in_data_2 = in_dout;  // window.h:48
+    wire [1:0] value_8 = rows_above_data[1:0];  // window.h:49
+    wire [3:0] shifted_2 = {value_8, 2'd0};  // window.h:49
+    wire [3:0] either_2 = shifted_2 | {2'd0, in_data_2_s1};  // window.h:49
     wire [1:0] bottom = both_4_s1 ? value_7 : in_data_2_s1;  // window.h:49
     wire [1:0] both_5 = bottom & top;  // erode.h:20
     wire [1:0] both_6 = both_5 & value_7;  // erode.h:20
-    wire [1:0] both_7 = both_6 & 2'd2;  // ap_int.h:100
-    wire both_8 = value_7[0] & 1'd1;  // ap_int.h:100
-    wire [1:0] either_3 = both_7 | {1'd0, both_8};  // ap_int.h:100
+    wire [1:0] both_7 = both_6 & 2'd2;  // erode.h:21
+    wire both_8 = value_7[0] & 1'd1;  // erode.h:21
+    wire [1:0] either_3 = both_7 | {1'd0, both_8};  // erode.h:21
     wire test_10 = at_7 > 12'd1;  // window.h:54
     wire test_11 = at_6 != 12'd0;
     wire both_9 = test_8 & test_11;
@@ -119,10 +119,10 @@ module erode (
     wire [1:0] both_11 = chosen & chosen_2;  // erode.h:20
     wire [1:0] both_12 = both_11 & middle;  // erode.h:20
     wire test_13 = both_12 > 2'd1;  // erode.h:21
-    wire [1:0] chosen_3 = test_13 ? 2'd2 : 2'd0;  // ap_int.h:100
-    wire value_12 = middle[0];  // ap_int.h:100
-    wire both_13 = value_12 & 1'd1;  // ap_int.h:100
-    wire [1:0] either_6 = chosen_3 | {1'd0, both_13};  // ap_int.h:100
+    wire [1:0] chosen_3 = test_13 ? 2'd2 : 2'd0;  // erode.h:21
+    wire value_12 = middle[0];  // erode.h:21
+    wire both_13 = value_12 & 1'd1;  // erode.h:21
+    wire [1:0] either_6 = chosen_3 | {1'd0, both_13};  // erode.h:21
     wire test_14 = at_6 == at_q;  // raster.h:18
     wire [11:0] sum_3 = at_6 + 12'd1;  // raster.h:21
     wire [11:0] at_8 = test_14 ? 12'd0 : sum_3;  // raster.h:21

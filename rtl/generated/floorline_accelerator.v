@@ -441,16 +441,8 @@ module floorline_accelerator (
     wire [23:0] cluster_gap;
     wire [7:0] cluster_min_lines;
     wire starts_free, run_starts;
-    wire head_done;
-    assign run_starts = head_done & starts_free;
+    assign run_starts = ap_start & starts_free;
     floorline_accelerator_head head (
-        .clk(ap_clk),
-        .rst(rst),
-        .ap_start(ap_start),
-        .ap_continue(starts_free),
-        .ap_done(head_done),
-        .ap_idle(),
-        .ap_ready(),
         .parameters_width_V(parameters_width_V),
         .parameters_height_V(parameters_height_V),
         .parameters_grey_V(parameters_grey_V),

@@ -3,28 +3,6 @@
 `default_nettype none
 
 module floorline_accelerator_head (
-    input wire clk,
-    input wire rst,
-    input wire ap_start,
-    input wire ap_continue,
-    output wire ap_done,
-    output wire ap_idle,
-    output wire ap_ready,
-    input wire [23:0] pixels_dout,
-    input wire pixels_empty_n,
-    output wire pixels_read,
-    input wire [94:0] points_dout,
-    input wire points_empty_n,
-    output wire points_read,
-    input wire [102:0] obstacles_dout,
-    input wire obstacles_empty_n,
-    output wire obstacles_read,
-    input wire [20:0] counts_dout,
-    input wire counts_empty_n,
-    output wire counts_read,
-    input wire [23:0] null_pixels_dout,
-    input wire null_pixels_empty_n,
-    output wire null_pixels_read,
     input wire [11:0] parameters_width_V,
     input wire [11:0] parameters_height_V,
     input wire parameters_grey_V,
@@ -36,182 +14,143 @@ module floorline_accelerator_head (
     input wire [8:0] parameters_line_count_V,
     input wire [23:0] parameters_cluster_gap_V,
     input wire [7:0] parameters_rule_min_lines_V,
-    output reg [11:0] luma_width,
-    output reg [11:0] luma_height,
-    output reg luma_grey,
-    output reg [11:0] frame_ring_width,
-    output reg [11:0] frame_ring_height,
-    output reg frame_ring_replace_reference,
+    output wire [11:0] luma_width,
+    output wire [11:0] luma_height,
+    output wire luma_grey,
+    output wire [11:0] frame_ring_width,
+    output wire [11:0] frame_ring_height,
+    output wire frame_ring_replace_reference,
     input wire [31:0] parameters_homography_xu_V,
-    output reg [31:0] frame_ring_homography_xu_V,
+    output wire [31:0] frame_ring_homography_xu_V,
     input wire [31:0] parameters_homography_xv_V,
-    output reg [31:0] frame_ring_homography_xv_V,
+    output wire [31:0] frame_ring_homography_xv_V,
     input wire [31:0] parameters_homography_x1_V,
-    output reg [31:0] frame_ring_homography_x1_V,
+    output wire [31:0] frame_ring_homography_x1_V,
     input wire [31:0] parameters_homography_yu_V,
-    output reg [31:0] frame_ring_homography_yu_V,
+    output wire [31:0] frame_ring_homography_yu_V,
     input wire [31:0] parameters_homography_yv_V,
-    output reg [31:0] frame_ring_homography_yv_V,
+    output wire [31:0] frame_ring_homography_yv_V,
     input wire [31:0] parameters_homography_y1_V,
-    output reg [31:0] frame_ring_homography_y1_V,
+    output wire [31:0] frame_ring_homography_y1_V,
     input wire [31:0] parameters_homography_zu_V,
-    output reg [31:0] frame_ring_homography_zu_V,
+    output wire [31:0] frame_ring_homography_zu_V,
     input wire [31:0] parameters_homography_zv_V,
-    output reg [31:0] frame_ring_homography_zv_V,
+    output wire [31:0] frame_ring_homography_zv_V,
     input wire [31:0] parameters_homography_z1_V,
-    output reg [31:0] frame_ring_homography_z1_V,
-    output reg [11:0] difference_width,
-    output reg [11:0] difference_height,
-    output reg difference_tolerant,
-    output reg [11:0] gaussian_width,
-    output reg [11:0] gaussian_height,
-    output reg [11:0] otsu_width,
-    output reg [11:0] otsu_height,
-    output reg [11:0] binarize_width,
-    output reg [11:0] binarize_height,
+    output wire [31:0] frame_ring_homography_z1_V,
+    output wire [11:0] difference_width,
+    output wire [11:0] difference_height,
+    output wire difference_tolerant,
+    output wire [11:0] gaussian_width,
+    output wire [11:0] gaussian_height,
+    output wire [11:0] otsu_width,
+    output wire [11:0] otsu_height,
+    output wire [11:0] binarize_width,
+    output wire [11:0] binarize_height,
     input wire [7:0] parameters_threshold_floor_V,
-    output reg [7:0] binarize_parameters_floor_V,
+    output wire [7:0] binarize_parameters_floor_V,
     input wire [7:0] parameters_threshold_override_high_V,
-    output reg [7:0] binarize_parameters_override_high_V,
+    output wire [7:0] binarize_parameters_override_high_V,
     input wire [7:0] parameters_threshold_low_V,
-    output reg [7:0] binarize_parameters_low_V,
-    output reg [11:0] erode_width,
-    output reg [11:0] erode_height,
-    output reg erode_erode_high,
-    output reg [11:0] roi_width,
-    output reg [11:0] roi_height,
-    output reg [11:0] roi_first_row,
-    output reg [11:0] roi_last_row,
-    output reg [11:0] polar_width,
-    output reg [11:0] polar_height,
-    output reg [8:0] polar_line_count,
+    output wire [7:0] binarize_parameters_low_V,
+    output wire [11:0] erode_width,
+    output wire [11:0] erode_height,
+    output wire erode_erode_high,
+    output wire [11:0] roi_width,
+    output wire [11:0] roi_height,
+    output wire [11:0] roi_first_row,
+    output wire [11:0] roi_last_row,
+    output wire [11:0] polar_width,
+    output wire [11:0] polar_height,
+    output wire [8:0] polar_line_count,
     input wire parameters_rule_run_rule_V,
-    output reg polar_rule_run_rule_V,
+    output wire polar_rule_run_rule_V,
     input wire [11:0] parameters_rule_min_rows_V,
-    output reg [11:0] polar_rule_min_rows_V,
+    output wire [11:0] polar_rule_min_rows_V,
     input wire [11:0] parameters_rule_max_gap_V,
-    output reg [11:0] polar_rule_max_gap_V,
+    output wire [11:0] polar_rule_max_gap_V,
     input wire [12:0] parameters_rule_horizon_row_V,
-    output reg [12:0] polar_rule_horizon_row_V,
+    output wire [12:0] polar_rule_horizon_row_V,
     input wire [9:0] parameters_rule_height_ratio_V,
-    output reg [9:0] polar_rule_height_ratio_V,
+    output wire [9:0] polar_rule_height_ratio_V,
     input wire [31:0] parameters_birdseye_xu_V,
-    output reg [31:0] birdseye_map_xu_V,
+    output wire [31:0] birdseye_map_xu_V,
     input wire [31:0] parameters_birdseye_xv_V,
-    output reg [31:0] birdseye_map_xv_V,
+    output wire [31:0] birdseye_map_xv_V,
     input wire [31:0] parameters_birdseye_x1_V,
-    output reg [31:0] birdseye_map_x1_V,
+    output wire [31:0] birdseye_map_x1_V,
     input wire [31:0] parameters_birdseye_yu_V,
-    output reg [31:0] birdseye_map_yu_V,
+    output wire [31:0] birdseye_map_yu_V,
     input wire [31:0] parameters_birdseye_yv_V,
-    output reg [31:0] birdseye_map_yv_V,
+    output wire [31:0] birdseye_map_yv_V,
     input wire [31:0] parameters_birdseye_y1_V,
-    output reg [31:0] birdseye_map_y1_V,
+    output wire [31:0] birdseye_map_y1_V,
     input wire [31:0] parameters_birdseye_zu_V,
-    output reg [31:0] birdseye_map_zu_V,
+    output wire [31:0] birdseye_map_zu_V,
     input wire [31:0] parameters_birdseye_zv_V,
-    output reg [31:0] birdseye_map_zv_V,
+    output wire [31:0] birdseye_map_zv_V,
     input wire [31:0] parameters_birdseye_z1_V,
-    output reg [31:0] birdseye_map_z1_V,
-    output reg [8:0] cluster_line_count,
-    output reg [23:0] cluster_gap,
-    output reg [7:0] cluster_min_lines
+    output wire [31:0] birdseye_map_z1_V,
+    output wire [8:0] cluster_line_count,
+    output wire [23:0] cluster_gap,
+    output wire [7:0] cluster_min_lines
 );
 
-    localparam [1:0] S_IDLE = 2'd0;
-    localparam [1:0] S_ENTRY = 2'd1;
-    localparam [1:0] S_DONE = 2'd2;
-    reg [1:0] state;
 
-
-    wire stall;
-
-    // accelerator.h:51:22: entry
-
-    assign stall = 1'b0;
-
-    assign pixels_read = 1'b0;
-    assign points_read = 1'b0;
-    assign obstacles_read = 1'b0;
-    assign counts_read = 1'b0;
-    assign null_pixels_read = 1'b0;
-
-    assign ap_idle = (state == S_IDLE);
-    assign ap_done = (state == S_DONE);
-    assign ap_ready = ap_done & ap_continue;
-
-    always @(posedge clk) begin
-        case (state)
-            S_IDLE: if (ap_start) begin
-                state <= S_ENTRY;
-            end
-            S_ENTRY: if (~stall) begin
-                state <= S_DONE;
-            end
-            S_DONE: if (ap_continue) state <= S_IDLE;
-            default: state <= S_IDLE;
-        endcase
-        if (rst) begin
-            state <= S_IDLE;
-        end
-    end
-
-    always @(posedge clk) begin
-        if ((state == S_ENTRY) & ~stall) luma_width <= parameters_width_V;
-        if ((state == S_ENTRY) & ~stall) luma_height <= parameters_height_V;
-        if ((state == S_ENTRY) & ~stall) luma_grey <= parameters_grey_V;
-        if ((state == S_ENTRY) & ~stall) frame_ring_width <= parameters_width_V;
-        if ((state == S_ENTRY) & ~stall) frame_ring_height <= parameters_height_V;
-        if ((state == S_ENTRY) & ~stall) frame_ring_replace_reference <= parameters_replace_reference_V;
-        if ((state == S_ENTRY) & ~stall) frame_ring_homography_xu_V <= parameters_homography_xu_V;
-        if ((state == S_ENTRY) & ~stall) frame_ring_homography_xv_V <= parameters_homography_xv_V;
-        if ((state == S_ENTRY) & ~stall) frame_ring_homography_x1_V <= parameters_homography_x1_V;
-        if ((state == S_ENTRY) & ~stall) frame_ring_homography_yu_V <= parameters_homography_yu_V;
-        if ((state == S_ENTRY) & ~stall) frame_ring_homography_yv_V <= parameters_homography_yv_V;
-        if ((state == S_ENTRY) & ~stall) frame_ring_homography_y1_V <= parameters_homography_y1_V;
-        if ((state == S_ENTRY) & ~stall) frame_ring_homography_zu_V <= parameters_homography_zu_V;
-        if ((state == S_ENTRY) & ~stall) frame_ring_homography_zv_V <= parameters_homography_zv_V;
-        if ((state == S_ENTRY) & ~stall) frame_ring_homography_z1_V <= parameters_homography_z1_V;
-        if ((state == S_ENTRY) & ~stall) difference_width <= parameters_width_V;
-        if ((state == S_ENTRY) & ~stall) difference_height <= parameters_height_V;
-        if ((state == S_ENTRY) & ~stall) difference_tolerant <= parameters_tolerant_V;
-        if ((state == S_ENTRY) & ~stall) gaussian_width <= parameters_width_V;
-        if ((state == S_ENTRY) & ~stall) gaussian_height <= parameters_height_V;
-        if ((state == S_ENTRY) & ~stall) otsu_width <= parameters_width_V;
-        if ((state == S_ENTRY) & ~stall) otsu_height <= parameters_height_V;
-        if ((state == S_ENTRY) & ~stall) binarize_width <= parameters_width_V;
-        if ((state == S_ENTRY) & ~stall) binarize_height <= parameters_height_V;
-        if ((state == S_ENTRY) & ~stall) binarize_parameters_floor_V <= parameters_threshold_floor_V;
-        if ((state == S_ENTRY) & ~stall) binarize_parameters_override_high_V <= parameters_threshold_override_high_V;
-        if ((state == S_ENTRY) & ~stall) binarize_parameters_low_V <= parameters_threshold_low_V;
-        if ((state == S_ENTRY) & ~stall) erode_width <= parameters_width_V;
-        if ((state == S_ENTRY) & ~stall) erode_height <= parameters_height_V;
-        if ((state == S_ENTRY) & ~stall) erode_erode_high <= parameters_erode_high_V;
-        if ((state == S_ENTRY) & ~stall) roi_width <= parameters_width_V;
-        if ((state == S_ENTRY) & ~stall) roi_height <= parameters_height_V;
-        if ((state == S_ENTRY) & ~stall) roi_first_row <= parameters_roi_first_row_V;
-        if ((state == S_ENTRY) & ~stall) roi_last_row <= parameters_roi_last_row_V;
-        if ((state == S_ENTRY) & ~stall) polar_width <= parameters_width_V;
-        if ((state == S_ENTRY) & ~stall) polar_height <= parameters_height_V;
-        if ((state == S_ENTRY) & ~stall) polar_line_count <= parameters_line_count_V;
-        if ((state == S_ENTRY) & ~stall) polar_rule_run_rule_V <= parameters_rule_run_rule_V;
-        if ((state == S_ENTRY) & ~stall) polar_rule_min_rows_V <= parameters_rule_min_rows_V;
-        if ((state == S_ENTRY) & ~stall) polar_rule_max_gap_V <= parameters_rule_max_gap_V;
-        if ((state == S_ENTRY) & ~stall) polar_rule_horizon_row_V <= parameters_rule_horizon_row_V;
-        if ((state == S_ENTRY) & ~stall) polar_rule_height_ratio_V <= parameters_rule_height_ratio_V;
-        if ((state == S_ENTRY) & ~stall) birdseye_map_xu_V <= parameters_birdseye_xu_V;
-        if ((state == S_ENTRY) & ~stall) birdseye_map_xv_V <= parameters_birdseye_xv_V;
-        if ((state == S_ENTRY) & ~stall) birdseye_map_x1_V <= parameters_birdseye_x1_V;
-        if ((state == S_ENTRY) & ~stall) birdseye_map_yu_V <= parameters_birdseye_yu_V;
-        if ((state == S_ENTRY) & ~stall) birdseye_map_yv_V <= parameters_birdseye_yv_V;
-        if ((state == S_ENTRY) & ~stall) birdseye_map_y1_V <= parameters_birdseye_y1_V;
-        if ((state == S_ENTRY) & ~stall) birdseye_map_zu_V <= parameters_birdseye_zu_V;
-        if ((state == S_ENTRY) & ~stall) birdseye_map_zv_V <= parameters_birdseye_zv_V;
-        if ((state == S_ENTRY) & ~stall) birdseye_map_z1_V <= parameters_birdseye_z1_V;
-        if ((state == S_ENTRY) & ~stall) cluster_line_count <= parameters_line_count_V;
-        if ((state == S_ENTRY) & ~stall) cluster_gap <= parameters_cluster_gap_V;
-        if ((state == S_ENTRY) & ~stall) cluster_min_lines <= parameters_rule_min_lines_V;
-    end
+    assign luma_width = parameters_width_V;
+    assign luma_height = parameters_height_V;
+    assign luma_grey = parameters_grey_V;
+    assign frame_ring_width = parameters_width_V;
+    assign frame_ring_height = parameters_height_V;
+    assign frame_ring_replace_reference = parameters_replace_reference_V;
+    assign frame_ring_homography_xu_V = parameters_homography_xu_V;
+    assign frame_ring_homography_xv_V = parameters_homography_xv_V;
+    assign frame_ring_homography_x1_V = parameters_homography_x1_V;
+    assign frame_ring_homography_yu_V = parameters_homography_yu_V;
+    assign frame_ring_homography_yv_V = parameters_homography_yv_V;
+    assign frame_ring_homography_y1_V = parameters_homography_y1_V;
+    assign frame_ring_homography_zu_V = parameters_homography_zu_V;
+    assign frame_ring_homography_zv_V = parameters_homography_zv_V;
+    assign frame_ring_homography_z1_V = parameters_homography_z1_V;
+    assign difference_width = parameters_width_V;
+    assign difference_height = parameters_height_V;
+    assign difference_tolerant = parameters_tolerant_V;
+    assign gaussian_width = parameters_width_V;
+    assign gaussian_height = parameters_height_V;
+    assign otsu_width = parameters_width_V;
+    assign otsu_height = parameters_height_V;
+    assign binarize_width = parameters_width_V;
+    assign binarize_height = parameters_height_V;
+    assign binarize_parameters_floor_V = parameters_threshold_floor_V;
+    assign binarize_parameters_override_high_V = parameters_threshold_override_high_V;
+    assign binarize_parameters_low_V = parameters_threshold_low_V;
+    assign erode_width = parameters_width_V;
+    assign erode_height = parameters_height_V;
+    assign erode_erode_high = parameters_erode_high_V;
+    assign roi_width = parameters_width_V;
+    assign roi_height = parameters_height_V;
+    assign roi_first_row = parameters_roi_first_row_V;
+    assign roi_last_row = parameters_roi_last_row_V;
+    assign polar_width = parameters_width_V;
+    assign polar_height = parameters_height_V;
+    assign polar_line_count = parameters_line_count_V;
+    assign polar_rule_run_rule_V = parameters_rule_run_rule_V;
+    assign polar_rule_min_rows_V = parameters_rule_min_rows_V;
+    assign polar_rule_max_gap_V = parameters_rule_max_gap_V;
+    assign polar_rule_horizon_row_V = parameters_rule_horizon_row_V;
+    assign polar_rule_height_ratio_V = parameters_rule_height_ratio_V;
+    assign birdseye_map_xu_V = parameters_birdseye_xu_V;
+    assign birdseye_map_xv_V = parameters_birdseye_xv_V;
+    assign birdseye_map_x1_V = parameters_birdseye_x1_V;
+    assign birdseye_map_yu_V = parameters_birdseye_yu_V;
+    assign birdseye_map_yv_V = parameters_birdseye_yv_V;
+    assign birdseye_map_y1_V = parameters_birdseye_y1_V;
+    assign birdseye_map_zu_V = parameters_birdseye_zu_V;
+    assign birdseye_map_zv_V = parameters_birdseye_zv_V;
+    assign birdseye_map_z1_V = parameters_birdseye_z1_V;
+    assign cluster_line_count = parameters_line_count_V;
+    assign cluster_gap = parameters_cluster_gap_V;
+    assign cluster_min_lines = parameters_rule_min_lines_V;
 
 endmodule
 

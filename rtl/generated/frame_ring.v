@@ -349,12 +349,12 @@ module frame_ring (
     wire [31:0] z_walk = homography_z1_V + 32'hFFFFFFFF;  // frame_ring.h:111
     wire [31:0] y_walk = homography_y1_V + 32'd64;  // frame_ring.h:110
     wire [31:0] x_walk = homography_x1_V + 32'd64;  // frame_ring.h:109
-    wire [11:0] spare_rows_2 = 12'd512 - height;  // ap_int.h:100
+    wire [11:0] spare_rows_2 = 12'd512 - height;  // frame_ring.h:106
     wire [11:0] sum_2 = height + 12'd4095;
     wire has_reference_data = has_reference;
 
     // frame_ring.h:116:3: loop for_3, II = 1, 7 stages
-    wire [7:0] in_data = in_dout;  // hls_stream.h:33
+    wire [7:0] in_data = in_dout;  // frame_ring.h:125
     wire test_5 = $signed(z_walk_2) > $signed(32'd16777215);  // reciprocal.h:51
     wire [30:0] both_3 = z_walk_2[30:0] & 31'd1610612736;
     wire test_6 = both_3 == 31'd536870912;
@@ -372,12 +372,12 @@ module frame_ring (
     wire [2:0] chosen_3 = test_7 ? 3'd4 : chosen_2;
     wire [2:0] chosen_4 = test_8 ? {1'd0, chosen} : chosen_3;
     wire [2:0] chosen_5 = test_9 ? 3'd3 : chosen_4;
-    wire [30:0] value_14 = z_walk_2[30:0];  // ap_int.h:100
+    wire [30:0] value_14 = z_walk_2[30:0];  // reciprocal.h:55
     wire [30:0] shifted_2_wide = value_14 >> chosen_5;
     wire [23:0] shifted_2 = shifted_2_wide[23:0];  // reciprocal.h:55
     wire [6:0] shifted_3 = shifted_2[23:17];  // reciprocal.h:56
-    wire [30:0] word_data = word_q;  // ap_int.h:100
-    wire [18:0] shifted_4 = word_data[30:12];  // ap_int.h:100
+    wire [30:0] word_data = word_q;  // reciprocal.h:56
+    wire [18:0] shifted_4 = word_data[30:12];  // reciprocal.h:57
     wire [11:0] value_17 = word_data[11:0];  // reciprocal.h:60
     wire [11:0] both_8 = value_17 & 12'd4095;  // reciprocal.h:60
     wire [16:0] value_18 = shifted_2[16:0];  // reciprocal.h:60
@@ -387,7 +387,7 @@ module frame_ring (
     wire [11:0] shifted_6 = product[24:13];  // reciprocal.h:61
     wire [18:0] difference = shifted_4 - {7'd0, shifted_6};  // reciprocal.h:61
     wire [16:0] shifted_7 = difference[18:2];  // reciprocal.h:61
-    wire [16:0] both_10 = shifted_7 & 17'd131071;  // ap_int.h:94
+    wire [16:0] both_10 = shifted_7 & 17'd131071;  // reciprocal.h:70
     wire [24:0] shifted_8 = x_walk_3[31:7];  // reciprocal.h:70
     wire [41:0] product_2 = $signed(shifted_8_s2) * $signed({1'd0, both_10_s2});  // reciprocal.h:70
     wire [42:0] shifted_9_wide = {{1{product_2[41]}}, product_2};
@@ -401,7 +401,7 @@ module frame_ring (
     wire test_12 = $signed(shifted_10) > $signed(20'd1048574);  // frame_ring.h:49
     wire test_13 = $signed(shifted_11) <= $signed({8'd0, at_q});  // frame_ring.h:49
     wire both_12 = test_12_s3 & test_13_s3;  // frame_ring.h:49
-    wire [11:0] value_27 = shifted_11[11:0];  // ap_int.h:100
+    wire [11:0] value_27 = shifted_11[11:0];  // frame_ring.h:50
     wire test_14 = at_q == value_27;  // frame_ring.h:51
     wire [12:0] both_13 = sum_3[12:0] & 13'd8190;  // frame_ring.h:51
     wire test_15 = both_13_s3 == 13'd0;  // frame_ring.h:51
@@ -424,9 +424,9 @@ module frame_ring (
     wire test_16 = both_15 == 1'd0;  // frame_ring.h:46
     wire test_17 = $signed(shifted_14) > $signed(20'd1048574);  // frame_ring.h:49
     wire test_18 = $signed(shifted_15) <= $signed({8'd0, sum_2_q});  // frame_ring.h:49
-    wire [11:0] value_33 = shifted_15[11:0];  // ap_int.h:100
-    wire [11:0] value_34 = shifted_15[11:0];  // ap_int.h:100
-    wire [11:0] both_16 = value_34 & 12'd4095;  // ap_int.h:100
+    wire [11:0] value_33 = shifted_15[11:0];  // frame_ring.h:50
+    wire [11:0] value_34 = shifted_15[11:0];  // frame_ring.h:50
+    wire [11:0] both_16 = value_34 & 12'd4095;  // frame_ring.h:50
     wire test_19 = sum_2_q != value_33;  // frame_ring.h:51
     wire [12:0] both_17 = sum_5[12:0] & 13'd8190;  // frame_ring.h:51
     wire test_20 = both_17_s3 != 13'd0;  // frame_ring.h:51
@@ -435,7 +435,7 @@ module frame_ring (
     wire differs_3 = ~test_16;
     wire both_19 = differs_3_s3 & test_20;
     wire [11:0] sum_6 = value_33 + 12'd4095;  // frame_ring.h:53
-    wire [11:0] sum_7 = value_33 + 12'd1;  // ap_int.h:100
+    wire [11:0] sum_7 = value_33 + 12'd1;  // frame_ring.h:53
     wire [11:0] chosen_9 = both_18_s3 ? sum_7_s3 : both_16_s3;
     wire [11:0] chosen_10 = both_19 ? sum_6_s3 : chosen_9;
     wire [11:0] chosen_11 = test_16_s3 ? value_34_s3 : chosen_10;  // frame_ring.h:54
@@ -466,22 +466,21 @@ module frame_ring (
     wire [11:0] chosen_14 = value_45 ? chosen_13 : chosen_12;  // banks.h:38
     wire [10:0] shifted_16 = chosen_14[11:1];  // banks.h:38
     wire [11:0] chosen_15 = value_45 ? chosen_12 : chosen_13;  // banks.h:39
-    wire [10:0] shifted_17 = chosen_15[11:1];  // ap_int.h:100
+    wire [10:0] shifted_17 = chosen_15[11:1];  // banks.h:39
     wire chosen_16 = value_45 ? both_26 : both_24;  // banks.h:40
     wire chosen_17 = value_45 ? both_24 : both_26;  // banks.h:41
-    wire [11:0] value_47 = shifted_11[11:0];  // ap_int.h:94
-    wire [11:0] both_27 = value_47 & 12'd4095;  // ap_int.h:94
+    wire [11:0] value_47 = shifted_11[11:0];  // frame_ring.h:136
+    wire [11:0] both_27 = value_47 & 12'd4095;  // frame_ring.h:136
     wire value_50 = shifted_11[0];  // banks.h:36
     wire [11:0] chosen_18 = value_50_s3 ? sum_4 : both_27_s3;  // banks.h:38
     wire [10:0] shifted_18 = chosen_18[11:1];  // banks.h:38
     wire [11:0] chosen_19 = value_50_s3 ? both_27_s3 : sum_4;  // banks.h:39
-    wire [10:0] shifted_19 = chosen_19[11:1];  // ap_int.h:100
+    wire [10:0] shifted_19 = chosen_19[11:1];  // banks.h:39
     wire both_28 = chosen_6 & value_50_s3;  // banks.h:41
     wire either_3 = value_50_s3 | differs;  // banks.h:41
     wire differs_5 = ~both_28;  // frame_ring.h:136
     wire differs_6 = ~chosen_16;  // banks.h:62
     wire brmerge_2 = both_28 | differs_6;  // banks.h:62
-    wire differs_7 = ~brmerge_2_s4;
     wire [16:0] product_4 = {6'd0, shifted_16_s4} * 17'd320;  // banks.h:62
     wire [16:0] sum_13 = product_4 + {6'd0, shifted_18_s4};  // banks.h:62
     wire [7:0] even_even_data = even_even_q;  // banks.h:62
@@ -492,7 +491,6 @@ module frame_ring (
     wire [7:0] chosen_21 = brmerge_3_s5 ? even_odd_data : 8'd0;  // banks.h:62
     wire differs_8 = ~chosen_17;  // banks.h:62
     wire brmerge_4 = both_28 | differs_8;  // banks.h:62
-    wire differs_9 = ~brmerge_4_s4;  // banks.h:62
     wire [16:0] product_5 = {6'd0, shifted_17_s4} * 17'd320;  // banks.h:62
     wire [16:0] sum_15 = product_5 + {6'd0, shifted_18_s4};  // banks.h:62
     wire [7:0] odd_even_data = odd_even_q;  // banks.h:62
@@ -534,14 +532,14 @@ module frame_ring (
     wire test_33 = chosen_23_s6 > pair_6;  // frame_ring.h:62
     wire [7:0] chosen_34 = test_33 ? chosen_23_s6 : pair_6;  // frame_ring.h:62
     wire [7:0] pair_8 = brmerge_5_s6 ? chosen_34 : pair_6;  // frame_ring.h:62
-    wire [15:0] shifted_20 = {chosen_26, 8'd0};  // hls_stream.h:38
-    wire [15:0] either_4 = shifted_20 | {8'd0, in_data_s5};  // hls_stream.h:38
-    wire [23:0] shifted_21 = {pair_7, 16'd0};  // hls_stream.h:38
-    wire [23:0] either_5 = {8'd0, either_4_s6} | shifted_21;  // hls_stream.h:38
-    wire [31:0] shifted_22 = {pair_8, 24'd0};  // hls_stream.h:38
-    wire [31:0] either_6 = {8'd0, either_5} | shifted_22;  // hls_stream.h:38
-    wire [32:0] chosen_35 = both_24 ? 33'h100000000 : 33'd0;  // hls_stream.h:38
-    wire [32:0] either_7 = {1'd0, either_6} | chosen_35_s6;  // hls_stream.h:38
+    wire [15:0] shifted_20 = {chosen_26, 8'd0};  // frame_ring.h:139
+    wire [15:0] either_4 = shifted_20 | {8'd0, in_data_s5};  // frame_ring.h:139
+    wire [23:0] shifted_21 = {pair_7, 16'd0};  // frame_ring.h:139
+    wire [23:0] either_5 = {8'd0, either_4_s6} | shifted_21;  // frame_ring.h:139
+    wire [31:0] shifted_22 = {pair_8, 24'd0};  // frame_ring.h:139
+    wire [31:0] either_6 = {8'd0, either_5} | shifted_22;  // frame_ring.h:139
+    wire [32:0] chosen_35 = both_24 ? 33'h100000000 : 33'd0;  // frame_ring.h:139
+    wire [32:0] either_7 = {1'd0, either_6} | chosen_35_s6;  // frame_ring.h:139
     wire differs_10 = ~both_24;  // frame_ring.h:140
     wire [23:0] sum_17 = null_count + {23'd0, differs_10};  // frame_ring.h:140
     wire [10:0] shifted_23 = write_row_2[11:1];  // banks.h:88
@@ -592,7 +590,7 @@ module frame_ring (
 
     // frame_ring.h:152:10: if_3
 
-    // hls_stream.h:38:32: if_4
+    // frame_ring.h:155:15: if_4
 
     // memory reference_width: 1 x 12
 

@@ -74,7 +74,7 @@ module gaussian (
     wire either = test_2 | both_2;
     wire [9:0] value_4 = at_2[9:0];  // window.h:43
     wire [15:0] rows_above_data = rows_above_q;  // window.h:43
-    wire [7:0] value_5 = rows_above_data[7:0];  // ap_int.h:100
+    wire [7:0] value_5 = rows_above_data[7:0];  // window.h:44
     wire test_5 = at_3 == 12'd1;  // window.h:45
     wire [7:0] shifted = rows_above_data[15:8];  // window.h:45
     wire [7:0] top = test_5_s1 ? value_5 : shifted;  // window.h:45
@@ -82,23 +82,23 @@ module gaussian (
     wire both_3 = either & test_6;  // window.h:43
     wire differs = ~test_6;  // window.h:43
     wire both_4 = either & differs;  // window.h:43
-    wire [7:0] in_data = in_dout;  // hls_stream.h:33
-    wire [15:0] shifted_2 = {rows_above_data[7:0], 8'd0};  // ap_int.h:100
-    wire [15:0] either_2 = shifted_2 | {8'd0, in_data_s1};  // ap_int.h:100
+    wire [7:0] in_data = in_dout;  // window.h:48
+    wire [15:0] shifted_2 = {rows_above_data[7:0], 8'd0};  // window.h:49
+    wire [15:0] either_2 = shifted_2 | {8'd0, in_data_s1};  // window.h:49
     wire [7:0] bottom = both_4_s1 ? value_5 : in_data_s1;  // window.h:49
     wire [8:0] sum_2 = {1'd0, top} + {1'd0, bottom};  // gaussian.h:17
-    wire [7:0] value_10 = rows_above_data[7:0];  // ap_int.h:94
+    wire [7:0] value_10 = rows_above_data[7:0];  // gaussian.h:17
     wire [8:0] shifted_3 = {value_10, 1'd0};  // gaussian.h:17
     wire [8:0] both_5 = shifted_3 & 9'd510;  // gaussian.h:17
     wire [9:0] difference = {1'd0, sum_2} - {1'd0, both_5};  // gaussian.h:17
-    wire [7:0] both_6 = rows_above_data[7:0] & 8'd255;  // ap_int.h:94
+    wire [7:0] both_6 = rows_above_data[7:0] & 8'd255;  // gaussian.h:18
     wire [17:0] shifted_4 = {both_6, 10'd0};  // gaussian.h:18
     wire [9:0] value_12 = difference;  // gaussian.h:18
     wire [17:0] product = $signed(value_12) * $signed(9'd245);  // gaussian.h:18
     wire [17:0] sum_3 = shifted_4_s2 + product_s2;  // gaussian.h:18
     wire [17:0] sum_4 = sum_3 + 18'd32;  // gaussian.h:27
     wire [11:0] shifted_5 = sum_4[17:6];  // gaussian.h:27
-    wire [11:0] both_7 = shifted_5 & 12'd4095;  // ap_int.h:100
+    wire [11:0] both_7 = shifted_5 & 12'd4095;  // gaussian.h:27
     wire test_7 = at_3 > 12'd1;  // window.h:54
     wire test_8 = at_2 != 12'd0;
     wire both_8 = test_5 & test_8;
@@ -112,7 +112,7 @@ module gaussian (
     wire [12:0] sum_5 = {1'd0, both_10} + {1'd0, chosen};  // gaussian.h:17
     wire [12:0] shifted_6 = {middle, 1'd0};  // gaussian.h:17
     wire [13:0] difference_2 = {1'd0, sum_5} - {1'd0, shifted_6};  // gaussian.h:17
-    wire [13:0] value_20 = difference_2;  // ap_int.h:94
+    wire [13:0] value_20 = difference_2;  // gaussian.h:17
     wire [21:0] shifted_7 = {middle, 10'd0};  // gaussian.h:18
     wire [13:0] value_22 = value_20;  // gaussian.h:18
     wire [21:0] product_2 = $signed(value_22_s3) * $signed(9'd245);  // gaussian.h:18

@@ -45,15 +45,15 @@ module luma (
     wire test = height == 12'd0;  // luma.h:31
 
     // luma.h:31:3: loop for_3, II = 1, 2 stages
-    wire [23:0] in_data = in_dout;  // hls_stream.h:33
-    wire [7:0] shifted = in_data[23:16];  // ap_int.h:100
-    wire [7:0] shifted_2 = in_data[15:8];  // ap_int.h:100
+    wire [23:0] in_data = in_dout;  // luma.h:34
+    wire [7:0] shifted = in_data[23:16];  // luma.h:18
+    wire [7:0] shifted_2 = in_data[15:8];  // luma.h:19
     wire [7:0] value_5 = in_data[7:0];  // luma.h:21
     wire [7:0] both = value_5 & 8'd255;  // luma.h:21
     wire [8:0] difference = {1'd0, shifted} - {1'd0, both};  // luma.h:21
     wire [7:0] both_2 = shifted_2 & 8'd255;  // luma.h:22
     wire [8:0] difference_2 = {1'd0, both_2} - {1'd0, both};  // luma.h:22
-    wire [7:0] value_7 = in_data[7:0];  // ap_int.h:94
+    wire [7:0] value_7 = in_data[7:0];  // luma.h:23
     wire [17:0] shifted_3 = {value_7, 10'd0};  // luma.h:23
     wire [17:0] both_3 = shifted_3 & 18'd261120;  // luma.h:23
     wire [8:0] value_8 = difference;  // luma.h:23
@@ -64,7 +64,7 @@ module luma (
     wire [17:0] sum_2 = sum + {{2{product_2[15]}}, product_2};  // luma.h:23
     wire [17:0] sum_3 = sum_2_s1 + 18'd512;  // luma.h:23
     wire [7:0] shifted_4 = sum_3[17:10];  // luma.h:24
-    wire [7:0] value_11 = in_data[7:0];  // ap_int.h:100
+    wire [7:0] value_11 = in_data[7:0];  // luma.h:35
     wire [7:0] chosen = grey ? value_11_s1 : shifted_4;  // luma.h:35
     wire test_2 = at_3 == at_q;  // raster.h:18
     wire [11:0] sum_4 = at_3 + 12'd1;  // raster.h:21

@@ -452,13 +452,13 @@ module otsu (
     wire for_11_ce;
     wire for_12_ce;
 
-    // hls_stream.h:38:32: entry
-    wire [7:0] threshold_data = threshold;  // hls_stream.h:38
+    // otsu.h:236:14: entry
+    wire [7:0] threshold_data = threshold;  // otsu.h:236
     wire [11:0] at = width + 12'd4095;  // raster.h:16
     wire test = height == 12'd0;  // otsu.h:245
 
     // otsu.h:245:3: loop for_3, II = 1, 2 stages
-    wire [7:0] in_data = in_dout;  // hls_stream.h:33
+    wire [7:0] in_data = in_dout;  // otsu.h:250
     wire test_2 = in_data != pixel_2;  // otsu.h:253
     wire test_3 = in_data == pixel;  // otsu.h:255
     wire both = test_2 & test_3;
@@ -529,8 +529,8 @@ module otsu (
     wire value_23 = test_11;  // otsu.h:87
     wire [5:0] exponent_5 = exponent_4 + {{5{value_23}}, value_23};  // otsu.h:87
     wire [7:0] shifted_7 = mantissa_7[20:13];  // otsu.h:107
-    wire [30:0] word_data = word_q;  // ap_int.h:100
-    wire [18:0] shifted_8 = word_data[30:12];  // ap_int.h:100
+    wire [30:0] word_data = word_q;  // otsu.h:107
+    wire [18:0] shifted_8 = word_data[30:12];  // otsu.h:108
     wire [11:0] value_25 = word_data[11:0];  // otsu.h:111
     wire [11:0] both_5 = value_25 & 12'd4095;  // otsu.h:111
     wire [12:0] both_6 = mantissa_7[12:0] & 13'd8191;  // otsu.h:111
@@ -555,7 +555,7 @@ module otsu (
     wire both_12 = both_9_s7 & differs_4;  // otsu.h:289
     wire [26:0] sum_11 = difference_2 + 27'd134217710;  // otsu.h:302
     wire test_15 = $signed(sum_11) > $signed(best_score);  // otsu.h:304
-    wire [8:0] chosen_5 = test_15 ? 9'd0 : contender_count;  // ap_int.h:100
+    wire [8:0] chosen_5 = test_15 ? 9'd0 : contender_count;  // otsu.h:307
     wire [7:0] both_13 = chosen_5[7:0] & 8'd255;  // otsu.h:307
     wire [8:0] sum_12 = chosen_5 + 9'd1;  // otsu.h:308
     wire [8:0] contender_count_2 = both_11 ? contender_count : sum_12;  // otsu.h:307
@@ -577,18 +577,18 @@ module otsu (
     wire [7:0] contenders_0_data = contenders_0_q;  // otsu.h:204
     wire [43:0] contenders_1_data = contenders_1_q;  // otsu.h:204
     wire [35:0] contenders_2_data = contenders_2_q;  // otsu.h:204
-    wire [16:0] value_35 = contenders_1_data[16:0];  // ap_int.h:100
-    wire [16:0] both_15 = value_35 & 17'd131071;  // ap_int.h:100
-    wire [16:0] shifted_12 = contenders_1_data[33:17];  // ap_int.h:100
-    wire [16:0] both_16 = shifted_12 & 17'd131071;  // ap_int.h:100
-    wire [9:0] shifted_13 = contenders_1_data[43:34];  // ap_int.h:100
-    wire [9:0] both_17 = shifted_13 & 10'd1023;  // ap_int.h:100
-    wire [16:0] value_39 = contenders_2_data[16:0];  // ap_int.h:100
-    wire [16:0] both_18 = value_39 & 17'd131071;  // ap_int.h:100
-    wire [16:0] shifted_14 = contenders_2_data[33:17];  // ap_int.h:100
-    wire [16:0] both_19 = shifted_14 & 17'd131071;  // ap_int.h:100
-    wire [1:0] shifted_15 = contenders_2_data[35:34];  // ap_int.h:100
-    wire [1:0] both_20 = shifted_15 & 2'd3;  // ap_int.h:100
+    wire [16:0] value_35 = contenders_1_data[16:0];  // otsu.h:148
+    wire [16:0] both_15 = value_35 & 17'd131071;  // otsu.h:148
+    wire [16:0] shifted_12 = contenders_1_data[33:17];  // otsu.h:149
+    wire [16:0] both_16 = shifted_12 & 17'd131071;  // otsu.h:149
+    wire [9:0] shifted_13 = contenders_1_data[43:34];  // otsu.h:150
+    wire [9:0] both_17 = shifted_13 & 10'd1023;  // otsu.h:150
+    wire [16:0] value_39 = contenders_2_data[16:0];  // otsu.h:148
+    wire [16:0] both_18 = value_39 & 17'd131071;  // otsu.h:148
+    wire [16:0] shifted_14 = contenders_2_data[33:17];  // otsu.h:149
+    wire [16:0] both_19 = shifted_14 & 17'd131071;  // otsu.h:149
+    wire [1:0] shifted_15 = contenders_2_data[35:34];  // otsu.h:150
+    wire [1:0] both_20 = shifted_15 & 2'd3;  // otsu.h:150
 
     // otsu.h:157:3: loop for_9, II = 1, 2 stages
     wire [3:0] both_21 = at_7 & 4'd15;  // otsu.h:132
@@ -603,8 +603,8 @@ module otsu (
     wire [33:0] chosen_8 = test_19 ? product_4 : 34'd0;  // otsu.h:160
     wire [35:0] sum_15 = sum_14 + {2'd0, chosen_8_s1};  // otsu.h:160
     wire test_20 = at_6 == 2'd2;  // otsu.h:126
-    wire [16:0] value_50 = sum_15[16:0];  // ap_int.h:100
-    wire [16:0] both_24 = value_50 & 17'd131071;  // ap_int.h:100
+    wire [16:0] value_50 = sum_15[16:0];  // otsu.h:162
+    wire [16:0] both_24 = value_50 & 17'd131071;  // otsu.h:162
     wire [2:0] both_25 = at_7[2:0] & 3'd7;  // otsu.h:162
     wire [18:0] shifted_16 = sum_15[35:17];  // otsu.h:163
     wire [35:0] sum_16 = test_20_s1 ? {17'd0, shifted_16} : sum_15;  // otsu.h:162
@@ -637,8 +637,8 @@ module otsu (
     wire [33:0] chosen_10 = test_23_s1 ? product_6 : 34'd0;  // otsu.h:181
     wire [35:0] sum_19 = b_sum + {2'd0, chosen_10_s2};  // otsu.h:181
     wire test_24 = at_9 == 2'd2;  // otsu.h:126
-    wire [16:0] value_63 = sum_18[16:0];  // ap_int.h:100
-    wire [16:0] value_64 = sum_19[16:0];  // ap_int.h:100
+    wire [16:0] value_63 = sum_18[16:0];  // otsu.h:183
+    wire [16:0] value_64 = sum_19[16:0];  // otsu.h:184
     wire test_25 = value_63 != value_64;  // otsu.h:185
     wire test_26 = value_63 > value_64;  // otsu.h:185
     wire [18:0] shifted_17 = sum_18[35:17];  // otsu.h:186

@@ -123,11 +123,6 @@ module polar (
     reg shifted_s1;
     reg [1:0] chosen_3_s1;
     reg [10:0] index_s1;
-    reg [10:0] index_3_s1;
-    reg [10:0] index_5_s1;
-    reg [10:0] index_7_s1;
-    reg [10:0] index_9_s1;
-    reg [10:0] index_11_s1;
     reg [11:0] sum_7_s1;
     reg [11:0] sum_7_s2;
     reg [11:0] sum_7_s3;
@@ -136,7 +131,6 @@ module polar (
     reg both_8_s2;
     reg both_8_s3;
     reg both_11_s1;
-    reg both_11_s2;
     reg [7:0] sum_8_s1;
     reg [7:0] sum_8_s2;
     reg [7:0] sum_8_s3;
@@ -146,10 +140,6 @@ module polar (
     reg [6:0] value_20_s3;
     reg [6:0] value_20_s4;
     reg [6:0] value_20_s5;
-    reg [11:0] lines_first_run_V_data_s2;
-    reg [11:0] lines_last_run_V_data_s2;
-    reg [11:0] lines_slice_V_data_s2;
-    reg [11:0] lines_divisor_V_data_s2;
     reg lines_leftward_V_data_s2;
     reg lines_leftward_V_data_s3;
     reg lines_leftward_V_data_s4;
@@ -165,10 +155,7 @@ module polar (
     reg [15:0] states_8_data_s2;
     reg [15:0] states_8_data_s3;
     reg [15:0] states_8_data_s4;
-    reg test_12_s2;
-    reg [11:0] states_1_data_s2;
-    reg [12:0] states_0_data_s2;
-    reg both_13_s2;
+    reg [12:0] step_s2;
     reg [12:0] step_s3;
     reg [12:0] step_s4;
     reg [15:0] step_3_s2;
@@ -177,14 +164,12 @@ module polar (
     reg [7:0] step_4_s2;
     reg [7:0] step_4_s3;
     reg [7:0] step_4_s4;
-    reg test_13_s2;
-    reg both_15_s2;
-    reg test_14_s2;
-    reg [12:0] sum_10_s3;
-    reg [12:0] sum_12_s3;
-    reg [11:0] both_20_s2;
-    reg [11:0] both_21_s2;
-    reg [12:0] chosen_9_s3;
+    reg [12:0] difference_s2;
+    reg [12:0] sum_11_s2;
+    reg [11:0] advance_s2;
+    reg both_22_s2;
+    reg [11:0] value_33_s2;
+    reg [11:0] difference_2_s2;
     reg [11:0] extract_2_s2;
     reg [11:0] extract_2_s3;
     reg [11:0] extract_2_s4;
@@ -195,7 +180,11 @@ module polar (
     reg both_26_s2;
     reg both_26_s3;
     reg both_26_s4;
+    reg [10:0] index_3_s3;
+    reg [10:0] index_5_s3;
+    reg both_29_s3;
     reg both_29_s4;
+    reg test_23_s2;
     reg test_23_s3;
     reg test_23_s4;
     reg either_6_s2;
@@ -274,27 +263,27 @@ module polar (
     wire test_2 = {3'd0, both_2} < free_columns;  // polar.h:201
     wire [8:0] walked = test_2 ? line_count : free_columns[8:0];  // polar.h:201
     wire [8:0] both_3 = walked & 9'd511;  // polar.h:202
-    wire [9:0] tail = {1'd0, both_3} + 10'd4;  // ap_int.h:100
+    wire [9:0] tail = {1'd0, both_3} + 10'd4;  // polar.h:202
     wire test_3 = both_3 == 9'd0;  // polar.h:206
 
-    // hls_stream.h:38:32: if_2
+    // polar.h:208:12: if_2
 
     // raster.h:16:71: ZN9ap_detail6largerEii
     wire [11:0] sum_2 = width + 12'd4095;  // raster.h:16
-    wire [10:0] at = sum_2[10:0];  // ap_int.h:100
+    wire [10:0] at = sum_2[10:0];  // raster.h:16
     wire [11:0] both_4 = width & 12'd4095;
     wire [9:0] sum_3 = {1'd0, both_3_q} + 10'd1023;
 
     // polar.h:213:3: loop for_2, II = 1, 7 stages
     wire test_4 = at_2 >= height;  // polar.h:213
     wire differs = ~test_4;
-    wire [1:0] mask_data = mask_dout;  // hls_stream.h:33
+    wire [1:0] mask_data = mask_dout;  // polar.h:224
     wire test_5 = at_2 == height;  // polar.h:213
     wire test_6 = at_3 < {2'd0, tail_q};  // polar.h:213
     wire both_5 = test_5 & test_6;  // polar.h:213
-    wire both_6 = test_4 & both_5;  // hls_stream.h:33
-    wire either = differs | both_5;  // hls_stream.h:33
-    wire [1:0] pixel = both_6 ? 2'd0 : mask_data;  // hls_stream.h:33
+    wire both_6 = test_4 & both_5;  // polar.h:224
+    wire either = differs | both_5;  // polar.h:224
+    wire [1:0] pixel = both_6 ? 2'd0 : mask_data;  // polar.h:224
     wire test_7 = at_3 < 12'd2;  // polar.h:226
     wire [1:0] right = test_7 ? 2'd0 : pixel;  // polar.h:227
     wire [10:0] chosen = test_7 ? width[10:0] : 11'd0;  // polar.h:227
@@ -302,7 +291,7 @@ module polar (
     wire [10:0] centre_2 = centre + 11'd2046;  // polar.h:227
     wire value_9 = at_2[0];  // polar.h:228
     wire differs_2 = test_7 ^ value_9;  // polar.h:228
-    wire shifted = taps_3[1];  // ap_int.h:100
+    wire shifted = taps_3[1];  // polar.h:229
     wire test_8 = at_3 == 12'd1;  // polar.h:100
     wire [1:0] chosen_2 = test_8 ? 2'd0 : taps_4;  // polar.h:100
     wire test_9 = at_3 == 12'd2;  // polar.h:101
@@ -314,23 +303,13 @@ module polar (
     wire [1:0] either_3 = either_2 | chosen_2;  // polar.h:103
     wire [1:0] either_4 = either_3 | taps_3;  // polar.h:103
     wire [1:0] either_5 = either_4 | left;  // polar.h:103
-    wire right_2 = chosen_2[1];  // ap_int.h:100
+    wire right_2 = chosen_2[1];  // polar.h:104
     wire [1:0] sum_4 = {1'd0, right_2} + {1'd0, shifted};  // polar.h:104
     wire left_3 = left[1];  // polar.h:104
     wire [1:0] sum_5 = sum_4 + {1'd0, left_3};  // polar.h:104
     wire [1:0] chosen_3 = rule_run_rule_V ? either_5 : sum_5;  // polar.h:105
     wire [10:0] index = centre_2 * 11'd2;  // polar.h:231
     wire [10:0] index_2 = {10'd0, differs_2_s1} + index_s1;  // polar.h:231
-    wire [10:0] index_3 = centre_2 * 11'd2;  // polar.h:231
-    wire [10:0] index_4 = {10'd0, differs_2_s1} + index_3_s1;  // polar.h:231
-    wire [10:0] index_5 = centre_2 * 11'd2;  // polar.h:231
-    wire [10:0] index_6 = {10'd0, differs_2_s1} + index_5_s1;  // polar.h:231
-    wire [10:0] index_7 = centre_2 * 11'd2;  // polar.h:232
-    wire [10:0] index_8 = {10'd0, differs_2_s1} + index_7_s1;  // polar.h:232
-    wire [10:0] index_9 = centre_2 * 11'd2;  // polar.h:232
-    wire [10:0] index_10 = {10'd0, differs_2_s1} + index_9_s1;  // polar.h:232
-    wire [10:0] index_11 = centre_2 * 11'd2;  // polar.h:232
-    wire [10:0] index_12 = {10'd0, differs_2_s1} + index_11_s1;  // polar.h:232
     wire [11:0] sum_6 = high_before + {11'd0, shifted};  // polar.h:233
     wire [11:0] chosen_4 = test_8 ? 12'd0 : sum_6;  // polar.h:233
     wire [11:0] sum_7 = at_2 + 12'd4095;  // polar.h:236
@@ -361,50 +340,47 @@ module polar (
     wire test_12 = sum_7_s1 == lines_first_row_V_data;  // polar.h:113
     wire [11:0] states_1_data = states_1_q;
     wire [12:0] states_0_data = states_0_q;
-    wire both_12 = both_11_s1 & test_12;
     wire differs_3 = ~test_12;
     wire both_13 = both_11_s1 & differs_3;
     wire [11:0] lines_first_error_V_data = lines_first_error_V_q;
     wire [12:0] lines_first_column_V_data = lines_first_column_V_q;
-    wire [12:0] step = both_13_s2 ? states_0_data_s2 : lines_first_column_V_data;
-    wire [11:0] step_2 = both_13_s2 ? states_1_data_s2 : lines_first_error_V_data;
+    wire [12:0] step = both_13 ? states_0_data : lines_first_column_V_data;
+    wire [11:0] step_2 = both_13 ? states_1_data : lines_first_error_V_data;
     wire [15:0] step_3 = both_13 ? states_3_data : 16'd0;
     wire [7:0] step_4 = both_13 ? states_4_data : 8'd0;
     wire [11:0] both_14 = lines_slice_V_data & 12'd4095;  // polar.h:120
     wire test_13 = both_14 == 12'd0;  // polar.h:120
     wire both_15 = both_11_s1 & test_13;
-    wire differs_4 = ~test_13;
-    wire both_16 = both_11_s1 & differs_4;
     wire states_2_data = states_2_q;  // polar.h:120
     wire both_17 = states_2_data & 1'd1;  // polar.h:120
-    wire [11:0] sum_9 = lines_slice_V_data_s2 + {11'd0, both_17};  // polar.h:120
-    wire [11:0] run = both_15_s2 ? 12'd1 : sum_9;  // polar.h:120
-    wire [11:0] chosen_5 = test_12_s2 ? lines_first_run_V_data_s2 : run;  // polar.h:121
+    wire [11:0] sum_9 = lines_slice_V_data + {11'd0, both_17};  // polar.h:120
+    wire [11:0] run = both_15 ? 12'd1 : sum_9;  // polar.h:120
+    wire [11:0] chosen_5 = test_12 ? lines_first_run_V_data : run;  // polar.h:121
     wire test_14 = sum_7_s1 == lines_last_row_V_data;  // polar.h:122
-    wire [11:0] run_2 = test_14_s2 ? lines_last_run_V_data_s2 : chosen_5;  // polar.h:122
+    wire [11:0] run_2 = test_14 ? lines_last_run_V_data : chosen_5;  // polar.h:122
     wire [11:0] both_18 = run_2 & 12'd4095;  // polar.h:125
     wire [12:0] difference = step - {1'd0, both_18};  // polar.h:125
-    wire [12:0] sum_10 = difference + 13'd1;  // polar.h:125
-    wire [12:0] chosen_6 = lines_leftward_V_data_s3 ? sum_10_s3 : step_s3;  // polar.h:125
+    wire [12:0] sum_10 = difference_s2 + 13'd1;  // polar.h:125
+    wire [12:0] chosen_6 = lines_leftward_V_data_s2 ? sum_10 : step_s2;  // polar.h:125
     wire [12:0] sum_11 = {1'd0, both_18} + step;  // polar.h:126
-    wire [12:0] sum_12 = sum_11 + 13'd8191;  // polar.h:126
-    wire [12:0] chosen_7 = lines_leftward_V_data_s3 ? step_s3 : sum_12_s3;  // polar.h:126
+    wire [12:0] sum_12 = sum_11_s2 + 13'd8191;  // polar.h:126
+    wire [12:0] chosen_7 = lines_leftward_V_data_s2 ? step_s2 : sum_12;  // polar.h:126
     wire [11:0] both_19 = step_2 & 12'd4095;  // polar.h:128
     wire [11:0] both_20 = lines_remainder_V_data & 12'd4095;  // polar.h:128
-    wire [12:0] sum_13 = {1'd0, both_19} + {1'd0, both_20_s2};  // polar.h:128
+    wire [12:0] sum_13 = {1'd0, both_19} + {1'd0, both_20};  // polar.h:128
     wire [11:0] both_21 = lines_divisor_V_data & 12'd4095;  // polar.h:129
-    wire test_15 = sum_13 >= {1'd0, both_21_s2};  // polar.h:129
-    wire [11:0] advance = test_13_s2 ? {11'd0, test_15} : run_2;  // polar.h:130
+    wire test_15 = sum_13 >= {1'd0, both_21};  // polar.h:129
+    wire [11:0] advance = test_13 ? {11'd0, test_15} : run_2;  // polar.h:130
     wire differs_5 = ~test_15;  // polar.h:120
-    wire both_22 = both_11_s2 & differs_5;  // polar.h:120
-    wire [11:0] value_33 = sum_13[11:0];  // ap_int.h:100
+    wire both_22 = both_11_s1 & differs_5;  // polar.h:120
+    wire [11:0] value_33 = sum_13[11:0];  // polar.h:131
     wire [11:0] value_34 = sum_13[11:0];  // polar.h:131
-    wire [11:0] difference_2 = value_34 - lines_divisor_V_data_s2;  // polar.h:131
-    wire [11:0] chosen_8 = both_22 ? value_33 : difference_2;  // polar.h:120
-    wire [11:0] both_23 = advance & 12'd4095;  // polar.h:133
+    wire [11:0] difference_2 = value_34 - lines_divisor_V_data;  // polar.h:131
+    wire [11:0] chosen_8 = both_22_s2 ? value_33_s2 : difference_2_s2;  // polar.h:120
+    wire [11:0] both_23 = advance_s2 & 12'd4095;  // polar.h:133
     wire [12:0] difference_3 = 13'd0 - {1'd0, both_23};  // polar.h:133
     wire [12:0] chosen_9 = lines_leftward_V_data_s2 ? difference_3 : {1'd0, both_23};  // polar.h:133
-    wire [12:0] sum_14 = chosen_9_s3 + step_s3;  // polar.h:133
+    wire [12:0] sum_14 = chosen_9 + step_s2;  // polar.h:133
     wire test_16 = sum_7_s1 >= lines_first_row_V_data;  // polar.h:243
     wire test_17 = sum_7_s1 <= lines_last_row_V_data;
     wire both_24 = test_16 & test_17;  // polar.h:243
@@ -417,30 +393,23 @@ module polar (
     wire [10:0] value_39 = chosen_6[10:0];  // polar.h:139
     wire [10:0] chosen_10 = test_19 ? value_39 : at_q;  // polar.h:139
     wire [10:0] chosen_11 = test_18 ? 11'd0 : chosen_10;  // polar.h:244
-    wire [10:0] index_13 = chosen_11 * 11'd2;  // polar.h:244
-    wire [10:0] index_14 = {10'd0, both_8_s3} + index_13;  // polar.h:244
+    wire [10:0] index_3 = chosen_11 * 11'd2;  // polar.h:244
+    wire [10:0] index_4 = {10'd0, both_8_s3} + index_3_s3;  // polar.h:244
     wire [1:0] left_columns_2_data = left_columns_2_q;  // polar.h:244
     wire test_20 = $signed(chosen_7) < $signed(13'd0);  // polar.h:139
     wire test_21 = $signed(chosen_7) < $signed({1'd0, both_4_q});  // polar.h:139
     wire [10:0] value_42 = chosen_7[10:0];  // polar.h:139
     wire [10:0] chosen_12 = test_21 ? value_42 : at_q;  // polar.h:139
     wire [10:0] chosen_13 = test_20 ? 11'd0 : chosen_12;  // polar.h:245
-    wire [10:0] index_15 = chosen_13 * 11'd2;  // polar.h:245
-    wire [10:0] index_16 = {10'd0, both_8_s3} + index_15;  // polar.h:245
+    wire [10:0] index_5 = chosen_13 * 11'd2;  // polar.h:245
+    wire [10:0] index_6 = {10'd0, both_8_s3} + index_5_s3;  // polar.h:245
     wire [1:0] right_columns_2_data = right_columns_2_q;  // polar.h:245
     wire test_22 = $signed(chosen_7) > $signed(13'd8191);
     wire both_27 = test_19 & test_22;  // polar.h:246
-    wire both_28 = both_25_s3 & both_27;  // polar.h:245
     wire differs_7 = ~both_27;  // polar.h:245
-    wire both_29 = both_25_s3 & differs_7;  // polar.h:245
-    wire [10:0] index_17 = chosen_11 * 11'd2;  // polar.h:244
-    wire [10:0] index_18 = {10'd0, both_8_s3} + index_17;  // polar.h:244
+    wire both_29 = both_25_s2 & differs_7;  // polar.h:245
     wire [11:0] left_columns_0_data = left_columns_0_q;  // polar.h:244
-    wire [10:0] index_19 = chosen_13 * 11'd2;  // polar.h:245
-    wire [10:0] index_20 = {10'd0, both_8_s3} + index_19;  // polar.h:245
     wire right_columns_1_data = right_columns_1_q;  // polar.h:245
-    wire [10:0] index_21 = chosen_13 * 11'd2;  // polar.h:245
-    wire [10:0] index_22 = {10'd0, both_8_s3} + index_21;  // polar.h:245
     wire [11:0] right_columns_0_data = right_columns_0_q;  // polar.h:245
     wire both_30 = right_columns_1_data & 1'd1;  // polar.h:247
     wire [11:0] sum_15 = right_columns_0_data + {11'd0, both_30};  // polar.h:247
@@ -478,7 +447,7 @@ module polar (
     wire either_8 = both_34 | test_25_s4;  // polar.h:148
     wire [15:0] next_5 = either_8 ? states_5_data_s4 : {4'd0, sum_7_s4};  // polar.h:148
     wire [11:0] value_55 = next_4[11:0];  // polar.h:158
-    wire [11:0] difference_5 = sum_7_s4 - value_55;  // ap_int.h:100
+    wire [11:0] difference_5 = sum_7_s4 - value_55;  // polar.h:158
     wire [11:0] chosen_20 = rule_run_rule_V ? rule_max_gap_V : 12'd0;  // polar.h:159
     wire test_27 = difference_5_s5 > chosen_20_s5;  // polar.h:159
     wire [1:0] either_9 = step_4_s4[1:0] | chosen_16;  // polar.h:160
@@ -511,33 +480,33 @@ module polar (
     wire both_46 = both_25_s5 & both_39;  // polar.h:170
     wire both_47 = both_46 & chosen_22;  // polar.h:170
     wire [11:0] chosen_23 = rule_run_rule_V ? sum_19 : next_2_s5[11:0];  // polar.h:175
-    wire [12:0] both_48 = next_3[12:0] & 13'd8191;  // hls_stream.h:38
-    wire [20:0] shifted_4 = {both_48, 8'd0};  // hls_stream.h:38
-    wire [20:0] either_11 = shifted_4 | {13'd0, sum_8_s4};  // hls_stream.h:38
-    wire [11:0] both_49 = chosen_21 & 12'd4095;  // hls_stream.h:38
-    wire [32:0] shifted_5 = {both_49, 21'd0};  // hls_stream.h:38
-    wire [32:0] either_12 = {12'd0, either_11} | shifted_5;  // hls_stream.h:38
-    wire [11:0] both_50 = chosen_23 & 12'd4095;  // hls_stream.h:38
-    wire [44:0] shifted_6 = {both_50, 33'd0};  // hls_stream.h:38
-    wire [44:0] either_13 = {12'd0, either_12_s5} | shifted_6;  // hls_stream.h:38
-    wire [45:0] chosen_24 = test_27 ? 46'd0 : 46'h200000000000;  // hls_stream.h:38
-    wire [45:0] either_14 = {1'd0, either_13} | chosen_24;  // hls_stream.h:38
+    wire [12:0] both_48 = next_3[12:0] & 13'd8191;  // polar.h:255
+    wire [20:0] shifted_4 = {both_48, 8'd0};  // polar.h:255
+    wire [20:0] either_11 = shifted_4 | {13'd0, sum_8_s4};  // polar.h:255
+    wire [11:0] both_49 = chosen_21 & 12'd4095;  // polar.h:255
+    wire [32:0] shifted_5 = {both_49, 21'd0};  // polar.h:255
+    wire [32:0] either_12 = {12'd0, either_11} | shifted_5;  // polar.h:255
+    wire [11:0] both_50 = chosen_23 & 12'd4095;  // polar.h:255
+    wire [44:0] shifted_6 = {both_50, 33'd0};  // polar.h:255
+    wire [44:0] either_13 = {12'd0, either_12_s5} | shifted_6;  // polar.h:255
+    wire [45:0] chosen_24 = test_27 ? 46'd0 : 46'h200000000000;  // polar.h:255
+    wire [45:0] either_14 = {1'd0, either_13} | chosen_24;  // polar.h:255
     wire [11:0] extract_3 = next[11:0];  // polar.h:258
     wire [11:0] next_7 = both_26_s4 ? extract_2_s4 : extract_3;  // polar.h:257
     wire both_51 = both_11 & test_4;  // polar.h:257
     wire test_32 = sum_7_s1 < lines_first_row_V_data;  // polar.h:260
     wire test_33 = sum_3_q == {2'd0, sum_8};  // polar.h:260
-    wire [11:0] chosen_25 = test_32_s4 ? 12'd0 : next_7;  // hls_stream.h:38
-    wire [19:0] shifted_7 = {chosen_25, 8'd0};  // hls_stream.h:38
-    wire [19:0] either_15 = shifted_7 | {12'd0, sum_8_s4};  // hls_stream.h:38
-    wire [20:0] chosen_26 = test_33 ? 21'd1048576 : 21'd0;  // hls_stream.h:38
-    wire [20:0] either_16 = {1'd0, either_15_s5} | chosen_26_s5;  // hls_stream.h:38
+    wire [11:0] chosen_25 = test_32_s4 ? 12'd0 : next_7;  // polar.h:261
+    wire [19:0] shifted_7 = {chosen_25, 8'd0};  // polar.h:261
+    wire [19:0] either_15 = shifted_7 | {12'd0, sum_8_s4};  // polar.h:261
+    wire [20:0] chosen_26 = test_33 ? 21'd1048576 : 21'd0;  // polar.h:261
+    wire [20:0] either_16 = {1'd0, either_15_s5} | chosen_26_s5;  // polar.h:261
     wire test_34 = at_3 == sum_2_q;  // raster.h:18
     wire [11:0] sum_20 = at_3 + 12'd1;  // raster.h:21
     wire [11:0] at_4 = at_2 + {11'd0, test_34};  // raster.h:21
     wire [11:0] at_5 = test_34 ? 12'd0 : sum_20;  // raster.h:21
 
-    // hls_stream.h:38:32: for_3
+    // polar.h:267:12: for_3
 
     // memory left_columns_0: 1280 x 12
 
@@ -607,7 +576,7 @@ module polar (
     // synthesis translate_on
     always @(posedge clk) begin
         if (for_2_active[1] & for_2_ce & either_s1) left_columns_0_words[index_2] <= high_before_s1;
-        if (for_2_active[3] & for_2_ce) left_columns_0_read <= left_columns_0_words[index_18];
+        if (for_2_active[3] & for_2_ce) left_columns_0_read <= left_columns_0_words[index_4];
     end
 
     reg [1:0] left_columns_2_words [0:1279];
@@ -620,8 +589,8 @@ module polar (
             left_columns_2_words[left_columns_2_index] = 2'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if (for_2_active[1] & for_2_ce & either_s1) left_columns_2_words[index_6] <= chosen_3_s1;
-        if (for_2_active[3] & for_2_ce) left_columns_2_read <= left_columns_2_words[index_14];
+        if (for_2_active[1] & for_2_ce & either_s1) left_columns_2_words[index_2] <= chosen_3_s1;
+        if (for_2_active[3] & for_2_ce) left_columns_2_read <= left_columns_2_words[index_4];
     end
 
     reg [11:0] right_columns_0_words [0:1279];
@@ -634,8 +603,8 @@ module polar (
             right_columns_0_words[right_columns_0_index] = 12'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if (for_2_active[1] & for_2_ce & either_s1) right_columns_0_words[index_8] <= high_before_s1;
-        if (for_2_active[3] & for_2_ce) right_columns_0_read <= right_columns_0_words[index_22];
+        if (for_2_active[1] & for_2_ce & either_s1) right_columns_0_words[index_2] <= high_before_s1;
+        if (for_2_active[3] & for_2_ce) right_columns_0_read <= right_columns_0_words[index_6];
     end
 
     reg right_columns_1_words [0:1279];
@@ -648,8 +617,8 @@ module polar (
             right_columns_1_words[right_columns_1_index] = 1'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if (for_2_active[1] & for_2_ce & either_s1) right_columns_1_words[index_10] <= shifted_s1;
-        if (for_2_active[3] & for_2_ce) right_columns_1_read <= right_columns_1_words[index_20];
+        if (for_2_active[1] & for_2_ce & either_s1) right_columns_1_words[index_2] <= shifted_s1;
+        if (for_2_active[3] & for_2_ce) right_columns_1_read <= right_columns_1_words[index_6];
     end
 
     reg [1:0] right_columns_2_words [0:1279];
@@ -662,8 +631,8 @@ module polar (
             right_columns_2_words[right_columns_2_index] = 2'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if (for_2_active[1] & for_2_ce & either_s1) right_columns_2_words[index_12] <= chosen_3_s1;
-        if (for_2_active[3] & for_2_ce) right_columns_2_read <= right_columns_2_words[index_16];
+        if (for_2_active[1] & for_2_ce & either_s1) right_columns_2_words[index_2] <= chosen_3_s1;
+        if (for_2_active[3] & for_2_ce) right_columns_2_read <= right_columns_2_words[index_6];
     end
 
     assign lines_first_row_V_address0 = value_20;
@@ -801,15 +770,15 @@ module polar (
             states_0_words[states_0_index] = 13'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if (for_2_active[3] & for_2_ce & both_25_s3) states_0_words[value_20_s3] <= sum_14;
+        if (for_2_active[2] & for_2_ce & both_25_s2) states_0_words[value_20_s2] <= sum_14;
         if (for_2_active[0] & for_2_front_ce) states_0_read <= states_0_words[value_20];
     end
 
-    assign lines_first_error_V_address0 = value_20_s1;
-    assign lines_first_error_V_ce0 = for_2_active[1] & for_2_ce;
+    assign lines_first_error_V_address0 = value_20;
+    assign lines_first_error_V_ce0 = for_2_active[0] & for_2_front_ce;
 
-    assign lines_first_column_V_address0 = value_20_s1;
-    assign lines_first_column_V_ce0 = for_2_active[1] & for_2_ce;
+    assign lines_first_column_V_address0 = value_20;
+    assign lines_first_column_V_ce0 = for_2_active[0] & for_2_front_ce;
 
     reg states_2_words [0:127];
     reg states_2_read;
@@ -821,8 +790,8 @@ module polar (
             states_2_words[states_2_index] = 1'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if (for_2_active[2] & for_2_ce & both_25_s2) states_2_words[value_20_s2] <= test_15;
-        if (for_2_active[1] & for_2_ce) states_2_read <= states_2_words[value_20_s1];
+        if (for_2_active[1] & for_2_ce & both_25) states_2_words[value_20_s1] <= test_15;
+        if (for_2_active[0] & for_2_front_ce) states_2_read <= states_2_words[value_20];
     end
     assign mask_read = (for_2_active[0] & for_2_front_ce & differs);
     assign contacts_write = (for_2_active[6] & for_2_ce & both_47_s6) | ((state == S_FOR_3) & ~stall);
@@ -908,11 +877,6 @@ module polar (
             shifted_s1 <= shifted;
             chosen_3_s1 <= chosen_3;
             index_s1 <= index;
-            index_3_s1 <= index_3;
-            index_5_s1 <= index_5;
-            index_7_s1 <= index_7;
-            index_9_s1 <= index_9;
-            index_11_s1 <= index_11;
             sum_7_s1 <= sum_7;
             both_8_s1 <= both_8;
             both_11_s1 <= both_11;
@@ -935,7 +899,6 @@ module polar (
             sum_7_s4 <= sum_7_s3;
             both_8_s2 <= both_8_s1;
             both_8_s3 <= both_8_s2;
-            both_11_s2 <= both_11_s1;
             sum_8_s2 <= sum_8_s1;
             sum_8_s3 <= sum_8_s2;
             sum_8_s4 <= sum_8_s3;
@@ -943,10 +906,6 @@ module polar (
             value_20_s3 <= value_20_s2;
             value_20_s4 <= value_20_s3;
             value_20_s5 <= value_20_s4;
-            lines_first_run_V_data_s2 <= lines_first_run_V_data;
-            lines_last_run_V_data_s2 <= lines_last_run_V_data;
-            lines_slice_V_data_s2 <= lines_slice_V_data;
-            lines_divisor_V_data_s2 <= lines_divisor_V_data;
             lines_leftward_V_data_s2 <= lines_leftward_V_data;
             lines_leftward_V_data_s3 <= lines_leftward_V_data_s2;
             lines_leftward_V_data_s4 <= lines_leftward_V_data_s3;
@@ -962,11 +921,8 @@ module polar (
             states_8_data_s2 <= states_8_data;
             states_8_data_s3 <= states_8_data_s2;
             states_8_data_s4 <= states_8_data_s3;
-            test_12_s2 <= test_12;
-            states_1_data_s2 <= states_1_data;
-            states_0_data_s2 <= states_0_data;
-            both_13_s2 <= both_13;
-            step_s3 <= step;
+            step_s2 <= step;
+            step_s3 <= step_s2;
             step_s4 <= step_s3;
             step_3_s2 <= step_3;
             step_3_s3 <= step_3_s2;
@@ -974,14 +930,12 @@ module polar (
             step_4_s2 <= step_4;
             step_4_s3 <= step_4_s2;
             step_4_s4 <= step_4_s3;
-            test_13_s2 <= test_13;
-            both_15_s2 <= both_15;
-            test_14_s2 <= test_14;
-            sum_10_s3 <= sum_10;
-            sum_12_s3 <= sum_12;
-            both_20_s2 <= both_20;
-            both_21_s2 <= both_21;
-            chosen_9_s3 <= chosen_9;
+            difference_s2 <= difference;
+            sum_11_s2 <= sum_11;
+            advance_s2 <= advance;
+            both_22_s2 <= both_22;
+            value_33_s2 <= value_33;
+            difference_2_s2 <= difference_2;
             extract_2_s2 <= extract_2;
             extract_2_s3 <= extract_2_s2;
             extract_2_s4 <= extract_2_s3;
@@ -992,8 +946,12 @@ module polar (
             both_26_s2 <= both_26;
             both_26_s3 <= both_26_s2;
             both_26_s4 <= both_26_s3;
-            both_29_s4 <= both_29;
-            test_23_s3 <= test_23;
+            index_3_s3 <= index_3;
+            index_5_s3 <= index_5;
+            both_29_s3 <= both_29;
+            both_29_s4 <= both_29_s3;
+            test_23_s2 <= test_23;
+            test_23_s3 <= test_23_s2;
             test_23_s4 <= test_23_s3;
             either_6_s2 <= either_6;
             either_6_s3 <= either_6_s2;

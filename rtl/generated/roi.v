@@ -42,11 +42,11 @@ module roi (
     wire test = height == 12'd0;  // roi.h:18
 
     // roi.h:18:3: loop for_3, II = 1, 1 stage
-    wire [1:0] in_data = in_dout;  // hls_stream.h:33
+    wire [1:0] in_data = in_dout;  // roi.h:21
     wire test_2 = at_2 >= first_row;  // roi.h:22
     wire test_3 = at_2 <= last_row;
     wire both = test_2 & test_3;  // roi.h:22
-    wire [1:0] chosen = both ? in_data : 2'd0;  // hls_stream.h:38
+    wire [1:0] chosen = both ? in_data : 2'd0;  // roi.h:22
     wire test_4 = at_3 == at_q;  // raster.h:18
     wire [11:0] sum = at_3 + 12'd1;  // raster.h:21
     wire [11:0] at_4 = test_4 ? 12'd0 : sum;  // raster.h:21
