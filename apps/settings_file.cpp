@@ -129,7 +129,8 @@ YAML::Node parse(const fs::path& file) {
 
 void read_settings(const fs::path& file, Settings& settings) {
   for (const auto& entry : parse(file)) {
-    const Field& field = field_named(entry.first.as<std::string>(), file);
+    if (!entry.first.IsScalar()) refuse(file, "a key is no word");
+    const Field& field = field_named(entry.first.Scalar(), file);
     try {
       const double value = number(field, entry.second);
       if (!(value >= field.low && value <= field.high))

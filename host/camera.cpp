@@ -6,11 +6,6 @@
 #include "host/yaml_file.h"
 
 namespace floorline {
-namespace {
-
-constexpr int largest_side = 2047;  // Size of hls/types.h and the reach of its lines.
-
-}  // namespace
 
 Camera read_camera(const std::filesystem::path& file) {
   const YamlFile yaml(file);

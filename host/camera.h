@@ -9,6 +9,9 @@
 
 namespace floorline {
 
+/// Of an image, pixels: what the sizes of hls/types.h and the reach of its lines allow.
+constexpr int largest_side = 2047;
+
 /// Pinhole with lens distortion. Camera frame: x right, y down, z forward; pixel centres at whole numbers.
 struct Camera {
   cv::Size size;

@@ -8,8 +8,8 @@
 
 namespace floorline {
 
-/// An 8-bit image, CV_8UC1 or CV_8UC3 (B G R). Throws Error when the file is missing, truncated, no image, or
-/// of another depth or number of channels.
+/// An 8-bit image, CV_8UC1 or CV_8UC3 (B G R). Throws Error when the file is missing, truncated, no image,
+/// larger than any camera may be, or of another depth or number of channels.
 cv::Mat read_image(const std::filesystem::path& file);
 
 /// The .png, .jpg and .jpeg files of a folder by name. Throws Error when the folder is missing or holds none.

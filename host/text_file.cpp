@@ -5,12 +5,14 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <iterator>
 
 #include "host/error.h"
 
 namespace floorline {
 namespace {
+
+/// Far above every file of a drive; a device or a film given by mistake must not fill the memory.
+constexpr std::size_t largest_file = std::size_t{256} << 20;
 
 std::string_view trim(std::string_view text) {
   const auto blanks = " \t\r";
@@ -27,7 +29,15 @@ std::string read_text(const std::filesystem::path& file) {
   if (!in || std::filesystem::is_directory(file)) {
     throw Error(fmt::format("{}: cannot be read; check the name and the permissions.", file.string()));
   }
-  return {std::istreambuf_iterator<char>(in), {}};
+  std::string text;
+  for (char block[1 << 16]; in.read(block, sizeof block), in.gcount() > 0;) {
+    text.append(block, static_cast<std::size_t>(in.gcount()));
+    if (text.size() > largest_file) {
+      throw Error(
+          fmt::format("{}: is larger than {} MiB; give the right file.", file.string(), largest_file >> 20));
+    }
+  }
+  return text;
 }
 
 std::vector<std::string_view> split(std::string_view line, char separator) {

@@ -10,7 +10,7 @@
 
 namespace floorline {
 
-/// The whole file. Throws Error when it cannot be read.
+/// The whole file. Throws Error when it cannot be read or is larger than any file of a drive.
 std::string read_text(const std::filesystem::path& file);
 
 /// Fields of a line, cut at `separator`; a space also stands for several of them and for tabs.

@@ -4,12 +4,11 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <set>
-#include <sstream>
-#include <stdexcept>
 #include <utility>
+
+#include "host/error.h"
+#include "host/text_file.h"
 
 namespace floorline::render {
 namespace {
@@ -114,9 +113,7 @@ class Reader {
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const {
-    throw std::runtime_error(fmt::format("{}: {}.", where_, what));
-  }
+  [[noreturn]] void fail(const std::string& what) const { throw Error(fmt::format("{}: {}.", where_, what)); }
   YAML::Node find(const char* key) {
     known_.insert(key);
     const YAML::Node& node = node_;  // a look-up on a mutable node would add the key
@@ -333,12 +330,13 @@ bool is_convex(const std::vector<Eigen::Vector2d>& polygon) {
 // What no single key can tell.
 void check(const Scene& scene, const std::string& name) {
   const auto require = [&](bool good, const char* what) {
-    if (!good) throw std::runtime_error(fmt::format("{}: {}.", name, what));
+    if (!good) throw Error(fmt::format("{}: {}.", name, what));
   };
   require((scene.room.low.array() < scene.room.high.array()).all(),
           "room.low must be below room.high in x and y");
   require(scene.obstacles.size() <= 200, "a scene holds at most 200 obstacles; drop some");
   require(!scene.path.segments.empty(), "path.segments needs at least one segment");
+  require(scene.path.segments.size() <= 10000, "a path has at most 10000 segments; join some");
   require(scene.frame_count() <= 100000, "a path has at most 100000 frames; shorten its segments");
   for (const Marking& marking : scene.markings) {
     require(marking.polygon.size() >= 3 && is_convex(marking.polygon),
@@ -359,8 +357,7 @@ Scene parse_scene(const std::string& yaml, const std::string& name) {
   try {
     root = YAML::Load(yaml);
   } catch (const YAML::Exception& error) {
-    throw std::runtime_error(
-        fmt::format("{}:{}: this is no YAML: {}.", name, error.mark.line + 1, error.msg));
+    throw Error(fmt::format("{}:{}: this is no YAML: {}.", name, error.mark.line + 1, error.msg));
   }
   Scene scene;
   Reader::read_into(root, name, scene);
@@ -368,13 +365,7 @@ Scene parse_scene(const std::string& yaml, const std::string& name) {
   return scene;
 }
 
-Scene read_scene(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in)
-    throw std::runtime_error(
-        fmt::format("{}: cannot be read; give the path of a SCENE.yaml.", file.string()));
-  return parse_scene(std::string(std::istreambuf_iterator<char>(in), {}), file.string());
-}
+Scene read_scene(const std::filesystem::path& file) { return parse_scene(read_text(file), file.string()); }
 
 std::string scene_to_yaml(const Scene& scene) {
   YAML::Emitter out;

@@ -128,7 +128,7 @@ struct Scene {
   int frame_count() const;
 };
 
-/// Reads a scene; keys that are left out keep the defaults above. Throws std::runtime_error with one sentence
+/// Reads a scene; keys that are left out keep the defaults above. Throws Error with one sentence
 /// that names the key and what is allowed when a key is unknown, a value is malformed or out of range.
 Scene read_scene(const std::filesystem::path& file);
 
