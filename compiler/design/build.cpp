@@ -134,14 +134,19 @@ class ProcessBuilder {
   }
 
   void read_parameter(Argument& argument, const Parameter& parameter, int index) {
-    if (parameter.is_stream) {
-      if (!parameter.dims.empty())
-        throw CompileError(
-            info_->location,
-            "arrays of streams as parameters are not supported here; pass the streams one by one");
-      streams_[{&argument, 0}] = process_.streams.size();
-      process_.streams.push_back({names_.unique(parameter.name, "stream"), parameter.layout.width(), true,
-                                  index, static_cast<int>(argument.getArgNo())});
+    if (!parameter.streams.empty()) {
+      for (const StreamMember& member : parameter.streams) {
+        streams_[{&argument, member.byte_offset}] = process_.streams.size();
+        Stream stream;
+        stream.name = names_.unique(parameter.name + member.suffix, "stream");
+        stream.width = member.layout.width();
+        stream.is_input = true;
+        stream.argument = index;
+        stream.index = member.index;
+        stream.byte_offset = member.byte_offset;
+        stream.llvm_argument = argument.getArgNo();
+        process_.streams.push_back(stream);
+      }
     } else if (argument.getType()->isPointerTy()) {
       add_parameter_object(argument, parameter, index);
     } else {
@@ -965,6 +970,7 @@ class ProcessBuilder {
     APInt offset(64, 0);
     Value* base =
         call.getArgOperand(port.llvm_argument)->stripAndAccumulateConstantOffsets(layout_, offset, true);
+    offset += port.byte_offset;
     auto [known, is_new] =
         region_streams_.emplace(std::make_pair(base, offset.getZExtValue()), region_->streams.size());
     if (is_new) region_->streams.push_back(new_region_stream(base, offset.getZExtValue(), port.width));
@@ -984,6 +990,7 @@ class ProcessBuilder {
     if (port != streams_.end()) {
       stream.name = process_.streams[port->second].name;
       stream.argument = process_.streams[port->second].argument;
+      stream.index = process_.streams[port->second].index;
       return stream;
     }
     std::string name = object_name(base);

@@ -108,6 +108,8 @@ struct Memory {
 
 struct Stream {
   std::string name;
+  int index = -1;            ///< In an array of streams.
+  uint64_t byte_offset = 0;  ///< Of the handle in the parameter's object.
   unsigned width = 0;
   bool is_input = false;   ///< Read by this process.
   int argument = -1;       ///< Index of the parameter.
@@ -177,6 +179,7 @@ struct RegionStream {
   unsigned width = 0;
   int depth = 2;
   int argument = -1;             ///< Parameter of the top; -1: local.
+  int index = -1;     ///< In an array of streams.
   int writer = -1, reader = -1;  ///< Instances.
 };
 

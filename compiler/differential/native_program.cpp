@@ -51,7 +51,7 @@ class NativeProgram {
                                  top_.qualified, i, i, element_count_outer(i));
     bool is_array = !parameter.dims.empty();
     arguments_ += fmt::format("{}{}object_{}{}", i ? ", " : "", "", i, is_array ? "" : "[0]");
-    if (!parameter.is_stream)
+    if (parameter.streams.empty())
       before_ += fmt::format("    recorder::fill(object_{0}, {1}, {2}, leaves_{0}, {3});\n", i,
                              element_count(compiled_, steering_, i), parameter.layout.bytes,
                              range_text(parameter.name));

@@ -28,6 +28,12 @@ class CompileError : public std::runtime_error {
   explicit CompileError(const std::string& sentence) : std::runtime_error("error: " + sentence) {}
 };
 
+/// A warning where none is accepted: its text as it is.
+class StrictWarning : public std::runtime_error {
+ public:
+  explicit StrictWarning(const std::string& warning) : std::runtime_error(warning) {}
+};
+
 /// Warnings gathered while compiling, in source order of discovery.
 struct Diagnostics {
   std::vector<std::string> warnings;

@@ -50,6 +50,47 @@ std::string type_text(clang::ASTContext& context, clang::QualType type, const st
   return text;
 }
 
+/// hls::stream<T> or hls::stream<T, DEPTH>, which derives from it: T.
+clang::QualType stream_element(clang::QualType type) {
+  const auto* stream = llvm::cast<clang::ClassTemplateSpecializationDecl>(type->getAsCXXRecordDecl());
+  return stream->getTemplateArgs()[0].getAsType();
+}
+
+/// Adds the streams of `type` (an array of it when `dims` are left) at `place`.
+void collect_streams(clang::ASTContext& context, clang::QualType type, llvm::ArrayRef<uint64_t> dims, const StreamMember& place,
+                     std::vector<StreamMember>& streams) {
+  const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
+  if (!record || !record->hasDefinition()) return;
+  uint64_t bytes = context.getTypeSizeInChars(type).getQuantity();
+  if (!dims.empty()) {
+    uint64_t stride = bytes;
+    for (uint64_t size : dims.drop_front()) stride *= size;
+    for (uint64_t i = 0; i < dims[0]; ++i) {
+      StreamMember element = place;
+      element.suffix += "_" + std::to_string(i);
+      element.byte_offset += i * stride;
+      element.index = i;
+      collect_streams(context, type, dims.drop_front(), element, streams);
+    }
+  } else if (is_stream_type(type)) {
+    streams.push_back(place);
+    streams.back().layout = layout_of(context, stream_element(type));
+  } else {
+    for (const clang::FieldDecl* field : record->fields()) {
+      StreamMember member = place;
+      member.suffix += "_" + field->getNameAsString();
+      member.byte_offset += context.getFieldOffset(field) / 8;
+      std::vector<uint64_t> field_dims;
+      clang::QualType field_type = field->getType();
+      while (const clang::ConstantArrayType* array = context.getAsConstantArrayType(field_type)) {
+        field_dims.push_back(array->getSize().getZExtValue());
+        field_type = array->getElementType();
+      }
+      collect_streams(context, field_type, field_dims, member, streams);
+    }
+  }
+}
+
 /// The part of a parameter that its type tells; layout errors surface only where the parameter is used.
 Parameter describe(clang::ASTContext& context, const clang::ParmVarDecl* declaration) {
   Parameter parameter;
@@ -75,12 +116,11 @@ Parameter describe(clang::ASTContext& context, const clang::ParmVarDecl* declara
     top_level = false;
   }
   parameter.is_const = type.isConstQualified() || !parameter.is_indirect;
-  parameter.is_stream = is_stream_type(type);
-  if (parameter.is_stream) {
-    const auto* stream = llvm::cast<clang::ClassTemplateSpecializationDecl>(type->getAsCXXRecordDecl());
-    type = stream->getTemplateArgs()[0].getAsType();
-  }
-  parameter.layout = layout_of(context, type);
+  collect_streams(context, type, parameter.dims, {}, parameter.streams);
+  if (parameter.streams.empty())
+    parameter.layout = layout_of(context, type);
+  else
+    parameter.layout = parameter.streams[0].layout;
   return parameter;
 }
 

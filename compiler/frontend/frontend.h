@@ -25,13 +25,21 @@ struct FrontendOptions {
   std::string top;       ///< Name of the top function, as written or qualified.
 };
 
+/// A stream that a parameter is or holds.
+struct StreamMember {
+  std::string suffix;        ///< Of its name: empty, `_left` for a member, `_2` for an array element.
+  uint64_t byte_offset = 0;  ///< Of the handle in the parameter's object.
+  int index = -1;            ///< In an array of streams.
+  TypeLayout layout;         ///< Of the stream's elements.
+};
+
 /// A parameter as the programmer declared it.
 struct Parameter {
   std::string name;
   std::string type_text;  ///< The type as C++ text, all names qualified; `%` stands for the declared name.
   TypeLayout layout;      ///< Of the value, the referenced value, or one array element.
   std::vector<uint64_t> dims;  ///< Array dimensions; a leading 0 stands for a plain pointer.
-  bool is_stream = false;
+  std::vector<StreamMember> streams;  ///< Not empty: the parameter is, or holds, streams.
   bool is_indirect = false;  ///< Reference or pointer.
   bool is_const = false;     ///< The function cannot write to it.
 };

@@ -2,6 +2,7 @@
 
 #include <llvm/ADT/SCCIterator.h>
 #include <llvm/Analysis/CallGraph.h>
+#include <llvm/Analysis/TargetLibraryInfo.h>
 #include <llvm/IR/Verifier.h>
 #include <llvm/Transforms/AggressiveInstCombine/AggressiveInstCombine.h>
 #include <llvm/Transforms/IPO/AlwaysInliner.h>
@@ -24,6 +25,7 @@
 #include <llvm/Transforms/Scalar/SCCP.h>
 #include <llvm/Transforms/Scalar/SROA.h>
 #include <llvm/Transforms/Scalar/SimplifyCFG.h>
+#include <llvm/Transforms/Utils/Evaluator.h>
 #include <llvm/Transforms/Utils/LCSSA.h>
 #include <llvm/Transforms/Utils/LoopSimplify.h>
 
@@ -173,6 +175,29 @@ std::vector<std::string> find_processes(const Program& program) {
   return processes;
 }
 
+/// Calls with constant arguments that the program can answer at compile time (a constexpr function, may be
+/// recursive) dissolve.
+void evaluate_constant_calls(Module& module) {
+  TargetLibraryInfoImpl library_info{Triple(module.getTargetTriple())};
+  TargetLibraryInfo library(library_info);
+  for (Function& caller : module)
+    for (Instruction& instruction : make_early_inc_range(instructions(caller))) {
+      auto* call = dyn_cast<CallInst>(&instruction);
+      Function* callee = call ? call->getCalledFunction() : nullptr;
+      if (!callee || callee == &caller || callee->isDeclaration() || !call->getType()->isIntegerTy()) continue;
+      SmallVector<Constant*, 4> arguments;
+      for (Value* argument : call->args())
+        if (auto* constant = dyn_cast<ConstantInt>(argument)) arguments.push_back(constant);
+      if (arguments.empty() || arguments.size() != call->arg_size()) continue;
+      Evaluator evaluator(module.getDataLayout(), &library);
+      Constant* result = nullptr;
+      bool known = evaluator.EvaluateFunction(callee, result, arguments) && isa_and_nonnull<ConstantInt>(result);
+      if (!known || !evaluator.getMutatedInitializers().empty()) continue;
+      call->replaceAllUsesWith(result);
+      call->eraseFromParent();
+    }
+}
+
 void refuse_recursion(Module& module) {
   CallGraph graph(module);
   for (auto scc = scc_begin(&graph); !scc.isAtEnd(); ++scc) {
@@ -243,6 +268,7 @@ MiddleResult run_middle(Program& program, Diagnostics& diagnostics) {
   mark_for_inlining(module, result.processes);
 
   Optimizer optimizer(module);
+  evaluate_constant_calls(module);
   optimizer.drop_unused();
   refuse_recursion(module);
   optimizer.inline_all();
@@ -259,7 +285,6 @@ MiddleResult run_middle(Program& program, Diagnostics& diagnostics) {
   for (const std::string& name : result.processes) convert_loops(*module.getFunction(name), optimizer);
   optimizer.functions().clear();
   optimizer.clean_flat_code();
-  if (getenv("DUMP")) module.print(errs(), nullptr);
   if (verifyModule(module, &errs()))
     throw CompileError("internal: the middle produced invalid IR; please report this program");
   return result;

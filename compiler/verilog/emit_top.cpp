@@ -39,7 +39,7 @@ class TopWriter {
     interface_.has_start = control != "ap_ctrl_none";
     interface_.has_continue = control == "ap_ctrl_chain";
     for (const Parameter& parameter : top.parameters)
-      if (parameter.is_stream && modes.mode(parameter.name) == "axis") interface_.reset_is_low = true;
+      if (!parameter.streams.empty() && modes.mode(parameter.name) == "axis") interface_.reset_is_low = true;
     interface_.reset = interface_.reset_is_low ? "ap_rst_n" : "ap_rst";
     port("input", 1, interface_.clock);
     port("input", 1, interface_.reset);
@@ -52,7 +52,7 @@ class TopWriter {
 
   TopModule single(const Process& process) {
     for (const Stream& stream : process.streams)
-      add_stream(stream.name, stream.width, stream.is_input, stream.argument);
+      add_stream(stream, stream.is_input);
     for (const ScalarPort& scalar : process.scalars) add_scalar(scalar);
     add_memories(process, {});
     if (!interface_.has_start) body_ << "    wire ap_start = 1'b1;\n";
@@ -71,7 +71,7 @@ class TopWriter {
   TopModule dataflow(const Region& region, const std::vector<const Process*>& processes) {
     for (const RegionStream& stream : region.streams) {
       if (stream.argument >= 0)
-        add_stream(stream.name, stream.width, stream.writer < 0, stream.argument);
+        add_stream(stream, stream.writer < 0);
       else
         add_fifo(stream);
     }
@@ -94,13 +94,15 @@ class TopWriter {
 
   /// Inside, a stream has FIFO signals (NAME_dout, NAME_empty_n, NAME_read or NAME_din, NAME_full_n,
   /// NAME_write).
-  void add_stream(const std::string& name, unsigned width, bool is_input, int argument) {
+  template <class AnyStream>
+  void add_stream(const AnyStream& from, bool is_input) {
     InterfaceStream stream;
-    stream.name = name;
-    stream.width = width;
+    stream.name = from.name;
+    stream.width = from.width;
     stream.is_input = is_input;
-    stream.argument = argument;
-    if (modes_.mode(name) == "axis")
+    stream.argument = from.argument;
+    stream.index = from.index;
+    if (modes_.mode(top_.parameters[from.argument].name) == "axis")
       add_axis(stream);
     else
       add_fifo_port(stream);
