@@ -22,6 +22,8 @@ Command add_csim(CLI::App& app);
 Command add_check(CLI::App& app);
 Command add_score(CLI::App& app);
 Command add_report(CLI::App& app);
+Command add_cosim(CLI::App& app);
+Command add_cycles(CLI::App& app);
 
 }  // namespace floorline::app
 

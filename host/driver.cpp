@@ -5,11 +5,13 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <cstring>
 
 #include "host/error.h"
 #include "host/packing.h"
+#include "rtl/floorline_registers.h"
 
 namespace floorline {
 namespace {
@@ -120,10 +122,10 @@ void Driver::prepare(const FrameParameters& parameters, const std::vector<LineSe
   complete.line_count = static_cast<unsigned>(lines.size());
   const auto values = register_values(complete);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (written_[i] == values[i]) continue;
+    if (!written_.empty() && written_[i] == values[i]) continue;
     bus_.write32(FLOORLINE_WIDTH + 4 * static_cast<std::uint32_t>(i), values[i]);
-    written_[i] = values[i];
   }
+  written_.assign(values.begin(), values.end());
   std::uint32_t update = FLOORLINE_UPDATE_PARAMETERS_MASK;
   if (!lines_in_use_ || !same(*lines_in_use_, lines)) {
     write_lines(lines);

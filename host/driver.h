@@ -5,7 +5,6 @@
 #ifndef FLOORLINE_HOST_DRIVER_H
 #define FLOORLINE_HOST_DRIVER_H
 
-#include <array>
 #include <cstdint>
 #include <opencv2/core/types.hpp>
 #include <optional>
@@ -14,7 +13,6 @@
 
 #include "hls/parameters.h"
 #include "hls/types.h"
-#include "rtl/floorline_registers.h"
 
 namespace floorline {
 
@@ -83,8 +81,7 @@ class Driver {
   RegisterBus& bus_;
   cv::Size largest_frame_;
   std::size_t most_lines_;
-  std::array<std::optional<std::uint32_t>, FLOORLINE_PARAMETER_COUNT>
-      written_;  ///< What the parameter registers hold.
+  std::vector<std::uint32_t> written_;  ///< What the parameter registers hold; empty before the first frame.
   std::optional<std::vector<LineSetup>> lines_in_use_;
 };
 

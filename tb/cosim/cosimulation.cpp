@@ -6,6 +6,7 @@
 #include <bit>
 #include <chrono>
 
+#include "rtl/floorline_registers.h"
 #include "tb/cosim/comparison.h"
 #include "tb/cosim/top.h"
 #include "tb/cosim/video.h"
@@ -96,6 +97,7 @@ class Session {
     };
     verdict.point_count = expected_->points.size() - 1;
     verdict.obstacle_count = expected_->obstacles.size() - 1;
+    verdict.line_count = expected_->counts.size();
     verdict.points = take("points", expected_->points, top_.points());
     verdict.obstacles = take("obstacles", expected_->obstacles, top_.obstacles());
     verdict.counts = take("counts", expected_->counts, top_.counts());

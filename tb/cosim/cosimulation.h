@@ -35,6 +35,7 @@ struct FrameVerdict {
   std::string first_difference;  ///< In words; empty when there is none.
   std::size_t point_count = 0;   ///< Elements that were compared, for a reader to see that there were some.
   std::size_t obstacle_count = 0;
+  std::size_t line_count = 0;
   HardwareCounters counters = {};  ///< Read when the frame's results had left.
   std::optional<std::uint32_t>
       cycles;  ///< FRAME_CYCLES of this frame; known when the next one started in time.

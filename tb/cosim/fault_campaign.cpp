@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "rtl/floorline_registers.h"
 #include "tb/cosim/comparison.h"
 #include "tb/cosim/video.h"
 
