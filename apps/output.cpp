@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 
 #include "host/atomic_file.h"
 #include "host/error.h"
@@ -13,6 +15,13 @@ namespace floorline::app {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// Prints a line; throws Error when it did not arrive, for example in a file on a full disk.
+void print_line(std::FILE* stream, const std::string& line) {
+  fmt::print(stream, "{}\n", line);
+  if (std::fflush(stream) != 0)
+    throw Error(fmt::format("the results cannot be printed: {}.", std::strerror(errno)));
+}
 
 void create_parent(const fs::path& path) {
   std::error_code error;
@@ -33,16 +42,15 @@ void Output::add_option(CLI::App& parser) {
 
 void Output::text(const std::string& line) const {
   std::FILE* stream = json_target_ == "-" ? stderr : stdout;
-  fmt::print(stream, "{}\n", line);
+  print_line(stream, line);
 }
 
 void Output::json(const nlohmann::json& facts) const {
   if (json_target_.empty()) return;
-  const std::string content = facts.dump(2) + "\n";
   if (json_target_ == "-")
-    fmt::print("{}", content);
+    print_line(stdout, facts.dump(2));
   else
-    produce_file(json_target_, content);
+    produce_file(json_target_, facts.dump(2) + "\n");
 }
 
 void produce_folder(const fs::path& destination, bool replace,

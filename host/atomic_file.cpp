@@ -21,6 +21,14 @@ fs::path staging_name(const fs::path& target) {
   return target.parent_path() / fmt::format(".{}.{}.partial", target.filename().string(), getpid());
 }
 
+/// False, and errno, when not all of it has met the disk.
+bool write_bytes(const fs::path& file, std::string_view content) {
+  std::ofstream out(file, std::ios::binary);
+  out.write(content.data(), static_cast<std::streamsize>(content.size()));
+  out.close();  // Only now the last bytes have met the disk.
+  return !out.fail();
+}
+
 [[noreturn]] void refuse(const fs::path& target, const std::string& reason) {
   throw Error(fmt::format("{}: cannot be written ({}); free some space or choose another place.",
                           target.string(), reason));
@@ -29,12 +37,14 @@ fs::path staging_name(const fs::path& target) {
 }  // namespace
 
 void write_file(const fs::path& file, std::string_view content) {
+  // A device or a pipe is written to; what is staged beside it would take its place.
+  if (fs::exists(file) && !fs::is_regular_file(file)) {
+    if (!write_bytes(file, content)) refuse(file, std::strerror(errno));
+    return;
+  }
   const fs::path staging = staging_name(file);
-  std::ofstream out(staging, std::ios::binary);
-  out.write(content.data(), static_cast<std::streamsize>(content.size()));
-  out.close();  // Only now the last bytes have met the disk.
   std::error_code failure;
-  if (out) {
+  if (write_bytes(staging, content)) {
     fs::rename(staging, file, failure);
     if (!failure) return;
   }

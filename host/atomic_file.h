@@ -8,8 +8,9 @@
 
 namespace floorline {
 
-/// Writes `content` to `file`, which keeps its former content until the new one is complete. Throws Error
-/// when it cannot, for example because the disk is full; no partial file is left.
+/// Writes `content` to `file`, which keeps its former content until the new one is complete. A device or
+/// a pipe is written to. Throws Error when it cannot, for example because the disk is full; no partial file
+/// is left.
 void write_file(const std::filesystem::path& file, std::string_view content);
 
 /// The same for an image, encoded by the extension of the name (.png).

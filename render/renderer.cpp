@@ -3,12 +3,13 @@
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
-#include <stdexcept>
 
+#include "host/atomic_file.h"
+#include "host/camera.h"
+#include "host/error.h"
 #include "noise.h"
 #include "trajectory.h"
 #include "world.h"
@@ -20,21 +21,6 @@ namespace fs = std::filesystem;
 
 constexpr double grey_target = 0.25;  // mean of the first frame, share of the full well
 constexpr float gamma = 1 / 2.2f;     // of the camera's output
-
-[[noreturn]] void cannot_write(const fs::path& file) {
-  throw std::runtime_error(fmt::format("{}: cannot be written; is the disk full?", file.string()));
-}
-
-void write_text(const fs::path& file, const std::string& text) {
-  std::ofstream out(file);
-  out << text;
-  if (!out.flush()) cannot_write(file);
-}
-
-void write_image(const fs::path& file, const cv::Mat& image) {
-  const std::vector<int> fast{cv::IMWRITE_PNG_COMPRESSION, 1};
-  if (!cv::imwrite(file.string(), image, fast)) cannot_write(file);
-}
 
 // Electrons with shot and read noise, then the output curve. Noise depends on seed, frame and pixel only.
 cv::Mat expose(const cv::Mat& radiance, double exposure, const Sensor& sensor, std::uint64_t frame_seed) {
@@ -66,13 +52,12 @@ std::string pose_line(const Eigen::Isometry3d& pose) {
 }
 
 void write_camera(const Scene& scene, const fs::path& file) {
-  const double cx = (scene.image.width - 1) / 2.0, cy = (scene.image.height - 1) / 2.0;
-  cv::FileStorage out(file.string(), cv::FileStorage::WRITE);
-  if (!out.isOpened()) cannot_write(file);
   const double f = scene.camera.focal_px;
-  out << "image_width" << scene.image.width << "image_height" << scene.image.height;
-  out << "camera_matrix" << cv::Mat(cv::Matx33d(f, 0, cx, 0, f, cy, 0, 0, 1));
-  out << "distortion_coefficients" << cv::Mat(1, 5, CV_64F, const_cast<double*>(scene.camera.distortion));
+  floorline::Camera camera;
+  camera.size = {scene.image.width, scene.image.height};
+  camera.matrix << f, 0, (camera.size.width - 1) / 2.0, 0, f, (camera.size.height - 1) / 2.0, 0, 0, 1;
+  std::ranges::copy(scene.camera.distortion, camera.distortion.begin());
+  floorline::write_camera(camera, file);
 }
 
 std::string mount_text(const Eigen::Isometry3d& mount) {
@@ -88,7 +73,7 @@ std::string mount_text(const Eigen::Isometry3d& mount) {
 void write_descriptions(const Scene& scene, const std::vector<TrajectoryFrame>& trajectory,
                         const fs::path& folder) {
   write_camera(scene, folder / "camera.yaml");
-  write_text(folder / "mount.yaml", mount_text(robot_from_camera(scene.camera)));
+  write_file(folder / "mount.yaml", mount_text(robot_from_camera(scene.camera)));
   std::string odometry = "frame,timestamp_s,x_m,y_m,yaw_rad\n", poses;
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     const PlanarPose& told = trajectory[i].odometry;
@@ -96,10 +81,10 @@ void write_descriptions(const Scene& scene, const std::vector<TrajectoryFrame>& 
                             told.position.x(), told.position.y(), told.yaw);
     poses += pose_line(trajectory[i].world_from_robot);
   }
-  write_text(folder / "odometry.csv", odometry);
-  write_text(folder / "poses.txt", poses);
-  write_text(folder / "scene.yaml", scene_to_yaml(scene));
-  write_text(
+  write_file(folder / "odometry.csv", odometry);
+  write_file(folder / "poses.txt", poses);
+  write_file(folder / "scene.yaml", scene_to_yaml(scene));
+  write_file(
       folder / "sequence.yaml",
       fmt::format(
           "name: {}\nwidth: {}\nheight: {}\nframe_count: {}\nfps: {}\nsource: rendered\nhas_truth: true\n",
@@ -127,7 +112,7 @@ void render_frames(const Scene& scene, const std::vector<TrajectoryFrame>& traje
     write_image(folder / "truth/masks" / name, view.mask);
     truth.push_back(world.truth(frame, world_from_camera, view.mask));
     if (progress && !progress(i + 1, total)) {
-      throw std::runtime_error(fmt::format("{}: stopped after {} of {} frames.", scene.name, i + 1, total));
+      throw Error(fmt::format("{}: stopped after {} of {} frames.", scene.name, i + 1, total));
     }
   }
   write_truth(truth, folder / "truth/contacts.json");
@@ -136,23 +121,13 @@ void render_frames(const Scene& scene, const std::vector<TrajectoryFrame>& traje
 }  // namespace
 
 void render_sequence(const Scene& scene, const fs::path& folder, const Progress& progress) {
-  if (fs::exists(folder)) {
-    throw std::runtime_error(
-        fmt::format("{}: exists already; remove it or choose another folder.", folder.string()));
-  }
-  const fs::path unfinished = folder.string() + ".unfinished";
-  fs::remove_all(unfinished);
-  fs::create_directories(unfinished / "frames");
-  fs::create_directories(unfinished / "truth/masks");
-  try {
-    const std::vector<TrajectoryFrame> trajectory = plan_trajectory(scene);
-    write_descriptions(scene, trajectory, unfinished);
-    render_frames(scene, trajectory, unfinished, progress);
-    fs::rename(unfinished, folder);
-  } catch (...) {
-    fs::remove_all(unfinished);
-    throw;
-  }
+  StagedFolder staged(folder);
+  fs::create_directories(staged.path() / "frames");
+  fs::create_directories(staged.path() / "truth/masks");
+  const std::vector<TrajectoryFrame> trajectory = plan_trajectory(scene);
+  write_descriptions(scene, trajectory, staged.path());
+  render_frames(scene, trajectory, staged.path(), progress);
+  staged.commit();
 }
 
 }  // namespace floorline::render

@@ -14,7 +14,7 @@ using Progress = std::function<bool(int done, int total)>;
 
 /// Renders `scene` into the sequence folder `folder` (format: docs/architecture.md). The folder appears only
 /// when it is complete; a folder that is there already is an error. Same scene, same bytes, on any number of
-/// threads. Throws std::runtime_error with one sentence when something cannot be written or `progress`
+/// threads. Throws Error with one sentence when something cannot be written or `progress`
 /// stopped it.
 void render_sequence(const Scene& scene, const std::filesystem::path& folder, const Progress& progress = {});
 

@@ -4,7 +4,9 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
+
+#include "host/atomic_file.h"
+#include "host/error.h"
 
 namespace floorline::render {
 namespace {
@@ -71,24 +73,19 @@ TrueFrame frame_from(const json& object) {
 void write_truth(const std::vector<TrueFrame>& frames, const std::filesystem::path& file) {
   json list = json::array();
   for (const TrueFrame& frame : frames) list.push_back(to_json(frame));
-  std::ofstream out(file);
-  out << json{{"frames", list}}.dump() << '\n';
-  if (!out.flush())
-    throw std::runtime_error(fmt::format("{}: cannot be written; is the disk full?", file.string()));
+  write_file(file, json{{"frames", list}}.dump() + "\n");
 }
 
 std::vector<TrueFrame> read_truth(const std::filesystem::path& file) {
   std::ifstream in(file);
-  if (!in)
-    throw std::runtime_error(
-        fmt::format("{}: cannot be read; the sequence has no ground truth.", file.string()));
+  if (!in) throw Error(fmt::format("{}: cannot be read; the sequence has no ground truth.", file.string()));
   try {
     std::vector<TrueFrame> frames;
     const json root = json::parse(in);
     for (const json& frame : root.at("frames")) frames.push_back(frame_from(frame));
     return frames;
   } catch (const json::exception& error) {
-    throw std::runtime_error(fmt::format("{}: is no ground truth file: {}.", file.string(), error.what()));
+    throw Error(fmt::format("{}: is no ground truth file: {}.", file.string(), error.what()));
   }
 }
 

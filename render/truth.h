@@ -33,7 +33,7 @@ struct TrueFrame {
   std::vector<Polyline> markings;       ///< Closed polygons, visible or not.
 };
 
-/// Writes or reads truth/contacts.json. Throw std::runtime_error with one sentence when the file cannot be
+/// Writes or reads truth/contacts.json. Throw Error with one sentence when the file cannot be
 /// used.
 void write_truth(const std::vector<TrueFrame>& frames, const std::filesystem::path& file);
 std::vector<TrueFrame> read_truth(const std::filesystem::path& file);

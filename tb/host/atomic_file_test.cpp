@@ -52,6 +52,16 @@ TEST(WriteFile, OnAFullDiskTheFormerContentStays) {
   EXPECT_EQ(entries(folder.path()), 1u) << "no partial file is left";
 }
 
+TEST(WriteFile, WritesToADevice) {
+  const TemporaryFolder folder;
+  fs::create_symlink("/dev/null", folder / "null");
+  fs::create_symlink("/dev/full", folder / "full");
+  EXPECT_NO_THROW(write_file(folder / "null", "gone"));
+  EXPECT_REFUSED(write_file(folder / "full", "x"), "cannot be written (No space left on device)");
+  EXPECT_TRUE(fs::is_character_file(folder / "null"));
+  EXPECT_TRUE(fs::is_character_file(folder / "full"));
+}
+
 TEST(WriteFile, NamesAFolderThatIsMissing) {
   const TemporaryFolder folder;
   EXPECT_REFUSED(write_file(folder / "none/a.txt", "x"),

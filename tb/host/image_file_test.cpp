@@ -43,6 +43,37 @@ TEST(ReadImage, RefusesATruncatedFile) {
   }
 }
 
+TEST(ReadImage, TakesNoThumbnailForTheEndOfAJpeg) {
+  const TemporaryFolder folder;
+  write_noise(folder / "a.jpg", CV_8UC1);
+  const std::string image = read_text(folder / "a.jpg");
+  const std::string thumbnail =
+      std::string("\xff\xe1\x00\x04\xff\xd9", 6);  // A segment that holds an end marker.
+  write_text(folder / "a.jpg", image.substr(0, 2) + thumbnail + image.substr(2));
+  EXPECT_NO_THROW(read_image(folder / "a.jpg"));
+  cut(folder / "a.jpg", 0.9);
+  EXPECT_REFUSED(read_image(folder / "a.jpg"), "is truncated");
+}
+
+TEST(ReadImage, RefusesADamagedFile) {
+  const TemporaryFolder folder;
+  write_noise(folder / "a.png", CV_8UC1);
+  std::string content = read_text(folder / "a.png");
+  content[content.size() / 2] ^= 1;
+  write_text(folder / "a.png", content);
+  EXPECT_REFUSED(read_image(folder / "a.png"), "is damaged; copy it again");
+  write_text(folder / "b.jpg", "\xff\xd8 and no segments");
+  EXPECT_REFUSED(read_image(folder / "b.jpg"), "is truncated");
+}
+
+TEST(ReadImage, RefusesAHugeImageBeforeItIsDecoded) {
+  const TemporaryFolder folder;
+  for (const char* name : {"wide.png", "wide.jpg"}) {
+    cv::imwrite((folder / name).string(), cv::Mat::zeros(1, 2048, CV_8U));
+    EXPECT_REFUSED(read_image(folder / name), "is 2048x1; scale it to at most 2047 pixels a side");
+  }
+}
+
 TEST(ReadImage, RefusesEachFaultWithASentence) {
   const TemporaryFolder folder;
   EXPECT_REFUSED(read_image(folder / "none.png"), "none.png: cannot be read");

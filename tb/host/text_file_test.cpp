@@ -41,5 +41,13 @@ TEST(ReadNumbers, NamesFileLineAndFault) {
   EXPECT_REFUSED(read_numbers(folder.path(), ',', 2), "cannot be read");
 }
 
+TEST(ReadText, RefusesWhatHasNoEnd) {
+  EXPECT_REFUSED(read_text("/dev/zero"), "/dev/zero: is larger than 256 MiB; give the right file.");
+}
+
+TEST(Error, KeepsItsSentencePrintable) {
+  EXPECT_STREQ(Error(std::string("a\0b\nc\x1b[2J", 9)).what(), "a?b?c?[2J");
+}
+
 }  // namespace
 }  // namespace floorline
