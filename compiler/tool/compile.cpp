@@ -87,6 +87,8 @@ class Compilation {
 CompileResult compile(const CompileOptions& options) {
   CompileResult result;
   Compilation(options, result).run();
+  const std::vector<std::string>& warnings = result.diagnostics.warnings;
+  if (options.strict && !warnings.empty()) throw StrictWarning(warnings[0]);
   return result;
 }
 

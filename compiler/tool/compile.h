@@ -16,6 +16,7 @@ struct CompileOptions {
   FrontendOptions frontend;
   std::string target = "xc7";
   double period = 10;  ///< ns
+  bool strict = false;  ///< The first warning is an error.
 };
 
 /// One generated file.

@@ -33,6 +33,7 @@ void add_compile_options(CLI::App& command, hlsc::CompileOptions& options) {
   command.add_option("--clock", options.period, "clock period in ns")
       ->capture_default_str()
       ->check(CLI::PositiveNumber);
+  command.add_flag("--strict", options.strict, "make the first warning an error");
 }
 
 }  // namespace

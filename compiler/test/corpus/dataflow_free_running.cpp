@@ -1,5 +1,7 @@
 // ap_ctrl_none: starts again by itself.
 // top: dataflow_free_running
+// tokens: 1
+// calls: 100
 #include "hls_stream.h"
 static void add(hls::stream<int>& in, hls::stream<int>& out) {
 #pragma HLS PIPELINE II=1

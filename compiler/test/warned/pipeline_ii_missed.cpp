@@ -1,0 +1,10 @@
+// An II that cannot be reached, with its cause.
+// top: pipeline_ii_missed
+int pipeline_ii_missed(const int a[16]) {
+  int sum = 0;
+  for (int i = 0; i < 15; ++i) {
+#pragma HLS PIPELINE II=1
+    sum += a[i] * a[15 - i];
+  }
+  return sum;
+}

@@ -1,0 +1,6 @@
+// An unknown pragma is named.
+// top: pragma_unknown
+int pragma_unknown(int a) {
+#pragma HLS FLY_TO_THE_MOON
+  return a + 1;
+}
