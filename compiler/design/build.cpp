@@ -85,6 +85,11 @@ class ProcessBuilder {
     region_ = &region;
     region_processes_ = &processes;
     region.head = build();
+    for (const RegionChannel& channel : region.channels)
+      if (channel.reader < 0)
+        throw CompileError(
+            info_->location,
+            "array '" + channel.name + "' is written by a process and read by none; remove it or read it");
     region.head.streams.clear();  // They pass the head by.
     return region;
   }
@@ -957,13 +962,53 @@ class ProcessBuilder {
       instance.scalars.push_back(region_scalar(call, port, instance.name));
     for (const Memory& memory : process.memories) {
       if (memory.kind != MemoryKind::kPort) continue;
-      auto* argument = dyn_cast<Argument>(call.getArgOperand(memory.llvm_argument));
-      if (!argument)
-        refuse(call, "array '" + memory.name +
-                         "' between two processes has no channel yet; pass the data through an hls::stream");
+      if (!memory.is_read && !memory.is_written) continue;
+      Value* array = call.getArgOperand(memory.llvm_argument);
+      auto* argument = dyn_cast<Argument>(array);
+      if (!argument) {
+        instance.channels.push_back(channel_port(call, array, memory));
+        continue;
+      }
       instance.memories.push_back({memory.name, objects_[argument].argument});
     }
     region_->instances.push_back(instance);
+  }
+
+  ChannelPort channel_port(CallInst& call, Value* array, const Memory& memory) {
+    auto [known, is_new] = region_channels_.emplace(array, region_->channels.size());
+    if (is_new) region_->channels.push_back(new_channel(call, array));
+    RegionChannel& channel = region_->channels[known->second];
+    int self = region_->instances.size();
+    int& end = memory.is_written ? channel.writer : channel.reader;
+    if (memory.is_written && memory.is_read)
+      refuse(call, "process '" + (*region_processes_)[process_called(call)].name +
+                       "' both reads and writes '" + channel.name +
+                       "', which another process uses; give it a local array and copy");
+    if (end >= 0 && end != self)
+      refuse(call, "array '" + channel.name + "' has two " + (memory.is_written ? "writers" : "readers") +
+                       "; give each pair of processes an array of its own");
+    if (!memory.is_written && channel.writer < 0)
+      refuse(call,
+             "array '" + channel.name + "' is read before a process has written it; call the writer first");
+    end = self;
+    channel.member_widths[memory.byte_offset] = memory.width;
+    return {memory.name, known->second, memory.byte_offset, address_bits(memory.depth)};
+  }
+
+  RegionChannel new_channel(CallInst& call, Value* array) {
+    auto* local = dyn_cast<AllocaInst>(array);
+    auto* type = local ? dyn_cast<ArrayType>(local->getAllocatedType()) : nullptr;
+    if (!type)
+      refuse(call,
+             "only whole local arrays can lie between two processes; declare the array in the dataflow "
+             "function and pass it by its name");
+    RegionChannel channel;
+    channel.name = names_.unique(object_name(array), "channel");
+    channel.depth = 1;
+    Type* element = type;
+    for (; isa<ArrayType>(element); element = element->getArrayElementType())
+      channel.depth *= element->getArrayNumElements();
+    return channel;
   }
 
   int region_stream(CallInst& call, const Stream& port) {
@@ -1448,6 +1493,7 @@ class ProcessBuilder {
   Region* region_ = nullptr;
   const std::vector<Process>* region_processes_ = nullptr;
   std::map<std::pair<Value*, uint64_t>, int> region_streams_;
+  std::map<Value*, int> region_channels_;
 
   Process process_;
   NameTable names_;

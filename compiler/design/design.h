@@ -12,6 +12,7 @@
 
 #include <llvm/ADT/APInt.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -163,6 +164,14 @@ struct Process {
   const Operation& operator[](ValueId id) const { return operations[id]; }
 };
 
+/// Ties a memory port of an instance to a member of a channel.
+struct ChannelPort {
+  std::string memory;
+  int channel = 0;
+  uint64_t byte_offset = 0;
+  unsigned address_width = 0;  ///< Of the instance's port.
+};
+
 /// One call in a dataflow region: which signals of the region its ports are tied to.
 struct Instance {
   int process = 0;  ///< Index in the list of processes the region was built with.
@@ -171,6 +180,7 @@ struct Instance {
   std::vector<int> scalars;  ///< By the process' scalar: index in Region::head.scalars.
   std::vector<std::pair<std::string, int>>
       memories;  ///< Memory ports by name, with the top's parameter behind them.
+  std::vector<ChannelPort> channels;
 };
 
 /// A stream of a dataflow region: a FIFO between two instances, or a port of the top.
@@ -179,8 +189,16 @@ struct RegionStream {
   unsigned width = 0;
   int depth = 2;
   int argument = -1;             ///< Parameter of the top; -1: local.
-  int index = -1;     ///< In an array of streams.
+  int index = -1;                ///< In an array of streams.
   int writer = -1, reader = -1;  ///< Instances.
+};
+
+/// An array between two instances: two banks, the writer fills one while the reader takes the other.
+struct RegionChannel {
+  std::string name;
+  uint64_t depth = 0;                          ///< Elements.
+  int writer = -1, reader = -1;                ///< Instances.
+  std::map<uint64_t, unsigned> member_widths;  ///< Byte offset of a member in an element -> bits.
 };
 
 /// A dataflow region. `head` computes at the start of a run the scalars that the instances take (outputs of
@@ -189,6 +207,7 @@ struct Region {
   Process head;
   std::vector<Instance> instances;
   std::vector<RegionStream> streams;
+  std::vector<RegionChannel> channels;
 };
 
 /// Bits that address `depth` words, at least 1.

@@ -11,6 +11,12 @@ ValueId source_of_copy(const Process& process, const Operation& op) {
     if (op.operands.size() != 1) return kNoValue;
     return op.operands[0];
   }
+  if (op.kind == OpKind::kAnd) {  // With ones in all bits that count.
+    const Operation &value = process[op.operands[0]], &mask = process[op.operands[1]];
+    bool is_idle = mask.kind == OpKind::kConstant && mask.constant.countTrailingOnes() >= op.bits;
+    bool same_form = value.bits == op.bits && !value.is_signed && !op.is_signed;
+    return is_idle && same_form ? op.operands[0] : kNoValue;
+  }
   bool is_cast = op.kind == OpKind::kZExt || op.kind == OpKind::kSExt || op.kind == OpKind::kTrunc;
   if (!is_cast) return kNoValue;
   const Operation& source = process[op.operands[0]];

@@ -57,8 +57,8 @@ clang::QualType stream_element(clang::QualType type) {
 }
 
 /// Adds the streams of `type` (an array of it when `dims` are left) at `place`.
-void collect_streams(clang::ASTContext& context, clang::QualType type, llvm::ArrayRef<uint64_t> dims, const StreamMember& place,
-                     std::vector<StreamMember>& streams) {
+void collect_streams(clang::ASTContext& context, clang::QualType type, llvm::ArrayRef<uint64_t> dims,
+                     const StreamMember& place, std::vector<StreamMember>& streams) {
   const clang::CXXRecordDecl* record = type->getAsCXXRecordDecl();
   if (!record || !record->hasDefinition()) return;
   uint64_t bytes = context.getTypeSizeInChars(type).getQuantity();

@@ -38,10 +38,10 @@ struct Parameter {
   std::string name;
   std::string type_text;  ///< The type as C++ text, all names qualified; `%` stands for the declared name.
   TypeLayout layout;      ///< Of the value, the referenced value, or one array element.
-  std::vector<uint64_t> dims;  ///< Array dimensions; a leading 0 stands for a plain pointer.
+  std::vector<uint64_t> dims;         ///< Array dimensions; a leading 0 stands for a plain pointer.
   std::vector<StreamMember> streams;  ///< Not empty: the parameter is, or holds, streams.
-  bool is_indirect = false;  ///< Reference or pointer.
-  bool is_const = false;     ///< The function cannot write to it.
+  bool is_indirect = false;           ///< Reference or pointer.
+  bool is_const = false;              ///< The function cannot write to it.
 };
 
 /// A function as the programmer declared it.

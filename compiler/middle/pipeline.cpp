@@ -184,14 +184,16 @@ void evaluate_constant_calls(Module& module) {
     for (Instruction& instruction : make_early_inc_range(instructions(caller))) {
       auto* call = dyn_cast<CallInst>(&instruction);
       Function* callee = call ? call->getCalledFunction() : nullptr;
-      if (!callee || callee == &caller || callee->isDeclaration() || !call->getType()->isIntegerTy()) continue;
+      if (!callee || callee == &caller || callee->isDeclaration() || !call->getType()->isIntegerTy())
+        continue;
       SmallVector<Constant*, 4> arguments;
       for (Value* argument : call->args())
         if (auto* constant = dyn_cast<ConstantInt>(argument)) arguments.push_back(constant);
       if (arguments.empty() || arguments.size() != call->arg_size()) continue;
       Evaluator evaluator(module.getDataLayout(), &library);
       Constant* result = nullptr;
-      bool known = evaluator.EvaluateFunction(callee, result, arguments) && isa_and_nonnull<ConstantInt>(result);
+      bool known =
+          evaluator.EvaluateFunction(callee, result, arguments) && isa_and_nonnull<ConstantInt>(result);
       if (!known || !evaluator.getMutatedInitializers().empty()) continue;
       call->replaceAllUsesWith(result);
       call->eraseFromParent();

@@ -30,6 +30,9 @@ std::string PortModes::mode(const std::string& port) const {
 
 namespace {
 
+/// Scalars of a run from this many bits on lie in LUT RAM.
+constexpr unsigned kWideScalars = 8;
+
 class TopWriter {
  public:
   TopWriter(const FunctionInfo& top, const PortModes& modes) : top_(top), modes_(modes) {
@@ -51,8 +54,7 @@ class TopWriter {
   }
 
   TopModule single(const Process& process) {
-    for (const Stream& stream : process.streams)
-      add_stream(stream, stream.is_input);
+    for (const Stream& stream : process.streams) add_stream(stream, stream.is_input);
     for (const ScalarPort& scalar : process.scalars) add_scalar(scalar);
     add_memories(process, {});
     if (!interface_.has_start) body_ << "    wire ap_start = 1'b1;\n";
@@ -75,6 +77,7 @@ class TopWriter {
       else
         add_fifo(stream);
     }
+    for (const RegionChannel& channel : region.channels) add_channel(channel);
     for (const ScalarPort& scalar : region.head.scalars)
       if (scalar.instance < 0) add_scalar(scalar);
     add_head(region);
@@ -171,10 +174,11 @@ class TopWriter {
   struct Handshake {
     std::string data, valid, ready;
   };
-  void fifo(const std::string& name, unsigned width, int depth, const Handshake& in, const Handshake& out) {
-    body_ << "    fifo #(\n        .WIDTH(" << width << "),\n        .DEPTH(" << depth << ")\n    ) " << name
-          << " (\n        .clk(ap_clk),\n        .rst(rst),\n        .s_data(" << in.data
-          << "),\n        .s_valid(" << in.valid << "),\n        .s_ready(" << in.ready
+  void fifo(const std::string& name, unsigned width, int depth, const Handshake& in, const Handshake& out,
+            const char* module = "fifo") {
+    body_ << "    " << module << " #(\n        .WIDTH(" << width << "),\n        .DEPTH(" << depth
+          << ")\n    ) " << name << " (\n        .clk(ap_clk),\n        .rst(rst),\n        .s_data("
+          << in.data << "),\n        .s_valid(" << in.valid << "),\n        .s_ready(" << in.ready
           << "),\n        .m_data(" << out.data << "),\n        .m_valid(" << out.valid
           << "),\n        .m_ready(" << out.ready << ")\n    );\n";
   }
@@ -186,6 +190,78 @@ class TopWriter {
           << "_full_n, " << name << "_write, " << name << "_empty_n, " << name << "_read;\n";
     fifo(name + "_fifo", stream.width, stream.depth, {name + "_din", name + "_write", name + "_full_n"},
          {name + "_dout", name + "_empty_n", name + "_read"});
+  }
+
+  static std::string member_name(const RegionChannel& channel, uint64_t byte_offset) {
+    return channel.member_widths.size() == 1 ? channel.name
+                                             : channel.name + "_at" + std::to_string(byte_offset);
+  }
+
+  /// Two banks per member; a bank goes to the reader when the writer's run ends, and back when the reader's
+  /// does.
+  void add_channel(const RegionChannel& channel) {
+    const std::string& name = channel.name;
+    unsigned address = address_bits(channel.depth);
+    body_ << "\n    // " << name << ": two banks of " << channel.depth << " elements\n";
+    body_ << "    reg [1:0] " << name << "_filled;  // banks that wait for the reader\n    reg " << name
+          << "_write_bank, " << name << "_read_bank;\n";
+    body_ << "    wire " << name << "_written, " << name << "_taken;\n";
+    body_ << "    wire " << name << "_free = (" << name << "_filled != 2'd2);\n    wire " << name
+          << "_ready = (" << name << "_filled != 2'd0);\n";
+    body_ << "    always @(posedge ap_clk) begin\n        if (" << name << "_written) " << name
+          << "_write_bank <= ~" << name << "_write_bank;\n";
+    body_ << "        if (" << name << "_taken) " << name << "_read_bank <= ~" << name << "_read_bank;\n";
+    body_ << "        " << name << "_filled <= " << name << "_filled + {1'b0, " << name
+          << "_written} - {1'b0, " << name << "_taken};\n";
+    body_ << "        if (rst) begin\n            " << name << "_filled <= 2'd0;\n            " << name
+          << "_write_bank <= 1'b0;\n            " << name << "_read_bank <= 1'b0;\n        end\n    end\n";
+    for (auto [byte_offset, width] : channel.member_widths) {
+      std::string member = member_name(channel, byte_offset);
+      body_ << "    wire" << range_text(address) << " " << member << "_write_address, " << member
+            << "_read_address;\n    wire " << member << "_write, " << member << "_read;\n";
+      body_ << "    wire" << range_text(width) << " " << member << "_d, " << member << "_q;\n";
+      body_ << "    ram_1r1w #(\n        .WIDTH(" << width << "),\n        .DEPTH("
+            << (uint64_t{2} << address) << "),\n        .ADDRESS_WIDTH(" << address + 1 << ")\n    ) "
+            << member << "_banks (\n        .clk(ap_clk),\n";
+      body_ << "        .write_enable(" << member << "_write),\n        .write_address({" << name
+            << "_write_bank, " << member << "_write_address}),\n        .write_data(" << member << "_d),\n";
+      body_ << "        .read_enable(" << member << "_read),\n        .read_address({" << name
+            << "_read_bank, " << member << "_read_address}),\n        .read_data(" << member
+            << "_q)\n    );\n";
+    }
+  }
+
+  /// Connects the ports of an instance to its channels; gives the condition under which the instance may
+  /// start.
+  std::string channel_connections(const Region& region, const Instance& instance, size_t index,
+                                  std::string& gate, std::string& ends) {
+    std::ostringstream out;
+    std::set<int> seen;
+    for (const ChannelPort& port : instance.channels) {
+      const RegionChannel& channel = region.channels[port.channel];
+      bool writes = channel.writer == static_cast<int>(index);
+      std::string member = member_name(channel, port.byte_offset);
+      std::string address = member + (writes ? "_write_address" : "_read_address");
+      unsigned inside = address_bits(channel.depth);
+      if (port.address_width > inside) {
+        std::string wide = member + (writes ? "_write_index" : "_read_index");
+        body_ << "    wire" << range_text(port.address_width) << " " << wide << ";\n    assign " << address
+              << " = " << resized_text(wide, port.address_width, false, inside) << ";\n";
+        address = wide;
+      }
+      out << ",\n        ." << port.memory << "_address0(" << address << ")";
+      if (writes)
+        out << ",\n        ." << port.memory << "_ce0(),\n        ." << port.memory << "_we0(" << member
+            << "_write),\n        ." << port.memory << "_d0(" << member << "_d)";
+      else
+        out << ",\n        ." << port.memory << "_ce0(" << member << "_read),\n        ." << port.memory
+            << "_q0(" << member << "_q)";
+      if (!seen.insert(port.channel).second) continue;
+      gate += " & " + channel.name + (writes ? "_free" : "_ready");
+      ends +=
+          "    assign " + channel.name + (writes ? "_written = " : "_taken = ") + instance.name + "_done;\n";
+    }
+    return out.str();
   }
 
   // --- Scalars and memories ---
@@ -200,6 +276,7 @@ class TopWriter {
   void add_memories(const Process& process, const std::vector<std::pair<std::string, int>>& owners) {
     for (const Memory& memory : process.memories) {
       if (memory.kind != MemoryKind::kPort || (!memory.is_read && !memory.is_written)) continue;
+      if (tied_.count(memory.name)) continue;
       InterfaceMemory outside;
       outside.name = memory.name;
       outside.width = memory.width;
@@ -232,7 +309,7 @@ class TopWriter {
   }
 
   /// The ports of a process beside clock, reset and control, which have the same names outside.
-  static std::vector<std::string> ports_of(const Process& process) {
+  std::vector<std::string> ports_of(const Process& process) {
     std::vector<std::string> names = stream_ports_of(process);
     for (const ScalarPort& scalar : process.scalars) {
       names.push_back(scalar.name);
@@ -251,10 +328,10 @@ class TopWriter {
     if (is_input) return {"_dout", "_empty_n", "_read"};
     return {"_din", "_full_n", "_write"};
   }
-  static std::vector<std::string> memory_ports_of(const Process& process) {
+  std::vector<std::string> memory_ports_of(const Process& process) {
     std::vector<std::string> names;
     for (const Memory& memory : process.memories) {
-      if (memory.kind != MemoryKind::kPort) continue;
+      if (memory.kind != MemoryKind::kPort || tied_.count(memory.name)) continue;
       std::string number = memory.is_read ? "1" : "0";
       if (memory.is_read)
         for (const char* suffix : {"_address0", "_ce0", "_q0"}) names.push_back(memory.name + suffix);
@@ -330,12 +407,20 @@ class TopWriter {
       data = "{";
       for (size_t i = inputs.size(); i-- > 0;) data += inputs[i] + (i ? ", " : "}");
     }
-    fifo(name + "_starts", std::max(1u, width), width > 64 ? 5 : 2, {data, "run_starts", ready},
-         {taken, start, done});
-    body_ << "    " << process.name << " " << name
-          << " (\n        .clk(ap_clk),\n        .rst(rst),\n        .ap_start(" << start
-          << "),\n        .ap_continue(1'b1),\n        .ap_done(" << done
-          << "),\n        .ap_idle(),\n        .ap_ready()";
+    // The scalars of a run stay at the FIFO's output until the instance is done.
+    if (width >= kWideScalars)
+      fifo(name + "_starts", width, 4, {data, "run_starts", ready}, {taken, start, done}, "scalar_fifo");
+    else
+      fifo(name + "_starts", std::max(1u, width), 2, {data, "run_starts", ready}, {taken, start, done});
+    tied_.clear();
+    for (const ChannelPort& tie : instance.channels) tied_.insert(tie.memory);
+    std::string gate = start, ends;
+    std::string channel_ports = channel_connections(region, instance, index, gate, ends);
+    body_ << ends << "    " << process.name << " " << name
+          << " (\n        .clk(ap_clk),\n        .rst(rst),\n";
+    body_ << "        .ap_start(" << gate << "),\n        .ap_continue(1'b1),\n        .ap_done(" << done
+          << "),\n";
+    body_ << "        .ap_idle(),\n        .ap_ready()" << channel_ports;
     for (size_t i = 0; i < process.streams.size(); ++i)
       for (const char* suffix : suffixes(process.streams[i].is_input))
         body_ << ",\n        ." << process.streams[i].name << suffix << "("
@@ -405,6 +490,7 @@ class TopWriter {
   const PortModes& modes_;
   TopInterface interface_;
   bool head_is_combinational_ = false;
+  std::set<std::string> tied_;  ///< Memory ports of the instance at hand that lead to a channel.
   std::vector<std::string> dones_, frees_;
   std::ostringstream ports_, body_;
 };
