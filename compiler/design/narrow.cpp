@@ -30,6 +30,7 @@ class Narrower {
     }
     find_demand();
     for (size_t id = 0; id < process_.operations.size(); ++id) cut_to_demand(id);
+    cut_memories_to_demand();
     remove_dead();
     shrink_memories();
   }
@@ -163,6 +164,8 @@ class Narrower {
 
   void find_demand() {
     demand_.assign(process_.operations.size(), 0);
+    memory_demand_.assign(process_.memories.size(), 1);
+    stored_.assign(process_.memories.size(), {});
     for (const Block& block : process_.blocks) {
       for (ValueId id : block.operations) {
         const Operation& op = process_[id];
@@ -170,7 +173,9 @@ class Narrower {
         if (op.predicate != kNoValue) want(op.predicate, 1);
         if (op.kind == OpKind::kStore) {
           want(op.operands[0], address_bits(process_.memories[op.object].depth));
-          want(op.operands[1], process_.memories[op.object].width);
+          stored_[op.object].push_back(op.operands[1]);
+          bool is_port = process_.memories[op.object].kind == MemoryKind::kPort;
+          want(op.operands[1], is_port ? process_.memories[op.object].width : 1);
         } else if (op.kind == OpKind::kWrite) {
           want(op.operands[0], process_.streams[op.object].width);
         } else if (op.kind == OpKind::kOutput) {
@@ -192,6 +197,12 @@ class Narrower {
     if (bits <= demand_[id]) return;
     demand_[id] = bits;
     work_.insert(id);
+  }
+  /// A word keeps no more bits than some load asks for, also where it is only loaded to be stored again.
+  void want_of_memory(int memory, unsigned bits) {
+    if (bits <= memory_demand_[memory]) return;
+    memory_demand_[memory] = bits;
+    for (ValueId data : stored_[memory]) want(data, bits);
   }
   void want_all(ValueId id) { want(id, process_[id].type_width); }
 
@@ -234,6 +245,7 @@ class Narrower {
         break;
       case OpKind::kLoad:
         want(op.operands[0], address_bits(process_.memories[op.object].depth));
+        want_of_memory(op.object, bits);
         break;
       default:
         for (ValueId operand : op.operands) want_all(operand);
@@ -250,6 +262,15 @@ class Narrower {
     op.is_signed = false;  // Nobody looks above.
   }
 
+  void cut_memories_to_demand() {
+    for (size_t index = 0; index < process_.memories.size(); ++index) {
+      Memory& memory = process_.memories[index];
+      if (memory.kind == MemoryKind::kPort || memory_demand_[index] >= memory.width) continue;
+      memory.width = memory_demand_[index];
+      memory.is_signed = false;  // Nobody looks above.
+    }
+  }
+
   void remove_dead() {
     for (Block& block : process_.blocks) {
       auto dead = [&](ValueId id) { return demand_[id] == 0 && !process_[id].has_effect(); };
@@ -259,7 +280,9 @@ class Narrower {
   }
 
   Process& process_;
-  std::vector<unsigned> demand_;
+  std::vector<unsigned> demand_;              ///< Low bits that somebody uses, by operation.
+  std::vector<unsigned> memory_demand_;       ///< By memory.
+  std::vector<std::vector<ValueId>> stored_;  ///< Data of the stores, by memory.
   std::set<ValueId> work_;
 };
 

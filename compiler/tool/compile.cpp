@@ -1,8 +1,10 @@
 #include "tool/compile.h"
 
 #include "design/build.h"
+#include "design/constant_multiply.h"
 #include "design/divide.h"
 #include "design/exclusive.h"
+#include "design/fold.h"
 #include "design/names.h"
 #include "design/narrow.h"
 #include "design/simplify.h"
@@ -49,7 +51,9 @@ class Compilation {
     merge_exclusive_accesses(process);
     narrow(process);
     expand_divisions(process);
+    expand_constant_products(process);
     narrow(process);
+    fold(process);
     forward_copies(process);
     return {process, schedule_process(process, schedule_options_, result_.diagnostics)};
   }

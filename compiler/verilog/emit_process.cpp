@@ -185,14 +185,17 @@ class ProcessEmitter {
     return is_constant(id) && process_[id].constant.sextOrTrunc(width).isAllOnes();
   }
 
+  /// Factors at the widths they really have: a DSP block takes signed factors, and a tool that sees a factor
+  /// extended to the product's width takes several blocks.
   std::string product(const Operation& op, Place at) {
     const Operation &a = process_[op.operands[0]], &b = process_[op.operands[1]];
-    unsigned full = a.bits + b.bits;
-    if (op.bits < full || (!a.is_signed && !b.is_signed) || op.bits > full)
-      return text(op.operands[0], op.bits, at) + " * " + text(op.operands[1], op.bits, at);
+    bool is_signed = (a.is_signed && a.bits < op.bits) || (b.is_signed && b.bits < op.bits);
     auto factor = [&](ValueId id) {
       const Operation& value = process_[id];
-      return "$signed(" + text(id, value.bits + (value.is_signed ? 0 : 1), at) + ")";
+      unsigned width = std::min(value.bits, op.bits);
+      if (!is_signed) return text(id, width, at);
+      bool needs_zero = !value.is_signed && value.bits < op.bits;
+      return "$signed(" + text(id, width + (needs_zero ? 1 : 0), at) + ")";
     };
     return factor(op.operands[0]) + " * " + factor(op.operands[1]);
   }
@@ -582,9 +585,11 @@ class ProcessEmitter {
     std::vector<ValueId>& accesses = accesses_[index];
     if (accesses.empty()) return;
     wires_ << "\n    // memory " << memory.name << ": " << memory.depth << " x " << memory.width << "\n";
-    if (memory.kind == MemoryKind::kRom) emit_table(memory, accesses);
+    bool is_table = memory.kind == MemoryKind::kRom && memory.load_latency == 0;
+    if (is_table) emit_table(memory);
     if (memory.kind == MemoryKind::kRegisters) emit_register_memory(memory, accesses);
-    if (memory.kind == MemoryKind::kRam) emit_ram(memory, accesses);
+    if (memory.kind == MemoryKind::kRam || (memory.kind == MemoryKind::kRom && !is_table))
+      emit_ram(memory, accesses);
     if (memory.kind == MemoryKind::kPort) emit_memory_port(memory, accesses);
   }
 
@@ -669,7 +674,8 @@ class ProcessEmitter {
     bodies_ << "    end\n";
   }
 
-  void emit_table(const Memory& memory, const std::vector<ValueId>& accesses) {
+  /// A small constant table is logic; a large one is a RAM that nobody writes.
+  void emit_table(const Memory& memory) {
     unsigned address = address_bits(memory.depth);
     functions_ << "\n    function" << range_text(memory.width) << " " << memory.name << "_at;\n        input"
                << range_text(address) << " address;\n        case (address)\n";
@@ -680,11 +686,6 @@ class ProcessEmitter {
     }
     functions_ << "            default: " << memory.name << "_at = " << memory.width
                << "'d0;\n        endcase\n    endfunction\n";
-    if (memory.load_latency == 0) return;
-    PortSignals read = port_of(memory, accesses, OpKind::kLoad);
-    registers_ << "    reg" << range_text(memory.width) << " " << memory.name << "_q;\n";
-    data_ << "        if (" << read.enable << ") " << memory.name << "_q <= " << memory.name << "_at("
-          << read.address << ");\n";
   }
 
   void emit_register_memory(const Memory& memory, const std::vector<ValueId>& accesses) {
