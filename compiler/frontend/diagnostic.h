@@ -25,7 +25,9 @@ class CompileError : public std::runtime_error {
  public:
   CompileError(const SourceLocation& where, const std::string& sentence)
       : std::runtime_error(where.text() + ": error: " + sentence) {}
-  explicit CompileError(const std::string& sentence) : std::runtime_error("error: " + sentence) {}
+  /// `sentence` may be Clang's own text, which says where.
+  explicit CompileError(const std::string& sentence)
+      : std::runtime_error(sentence.find("error: ") == std::string::npos ? "error: " + sentence : sentence) {}
 };
 
 /// A warning where none is accepted: its text as it is.

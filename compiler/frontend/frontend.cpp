@@ -208,7 +208,9 @@ class ParseAction : public clang::EmitLLVMOnlyAction {
 
 std::vector<std::string> clang_arguments(const FrontendOptions& options, const std::string& file) {
   bool is_c = llvm::sys::path::extension(file) == ".c";
-  std::vector<std::string> arguments = {HLSC_CLANG};
+  std::string compiler = HLSC_CLANG;
+  if (is_c) compiler.resize(compiler.rfind("++"));
+  std::vector<std::string> arguments = {compiler};
   arguments.push_back("-std=" + (options.standard.empty() ? (is_c ? "c17" : "c++17") : options.standard));
   for (const char* fixed : {"-c", "-O2", "-g", "-gcolumn-info", "-fno-exceptions", "-fno-rtti",
                             "-fno-threadsafe-statics", "-fno-discard-value-names", "-fno-vectorize",

@@ -106,7 +106,13 @@ class SubscriptSeparator {
 
   /// The leaf an access falls in: the one whose dimensions have the strides of all variable subscripts and
   /// whose offset matches.
-  const MemoryLeaf* leaf_of(Offset& offset, std::vector<int64_t>& constants) {
+  const MemoryLeaf* leaf_of(const Offset& offset, std::vector<int64_t>& constants) {
+    // Offsets inside a leaf come first; only then one that counts on a subscript to bring it back.
+    const MemoryLeaf* leaf = leaf_of(offset, constants, true);
+    return leaf ? leaf : leaf_of(offset, constants, false);
+  }
+
+  const MemoryLeaf* leaf_of(const Offset& offset, std::vector<int64_t>& constants, bool is_strict) {
     for (const MemoryLeaf& leaf : leaves_) {
       constants.assign(leaf.dims.size(), 0);
       int64_t member = offset.constant;
@@ -127,11 +133,13 @@ class SubscriptSeparator {
       for (size_t d = 0; d < leaf.dims.size() && rest >= 0; ++d) {
         int64_t stride = leaf.strides[d];
         int64_t whole = rest / stride;
-        if (d > 0 && whole >= static_cast<int64_t>(leaf.dims[d])) break;  // Behind this leaf.
+        bool is_bound = d > 0 || is_strict;
+        if (is_bound && whole >= static_cast<int64_t>(leaf.dims[d])) break;  // Behind this leaf.
         constants[d] += whole;
         rest %= stride;
       }
       bool counts_bytes = leaves_.size() == 1 && !leaf.strides.empty() && leaf.strides.back() == 1;
+      counts_bytes &= !is_strict;
       if (rest < 0 && counts_bytes) constants.back() += rest;
       if (rest == 0 || counts_bytes) return &leaf;
     }

@@ -117,6 +117,24 @@ Value* object_of(Value* pointer) {
   return object;
 }
 
+/// Refuses numbers that mean nothing.
+void check_numbers(const Directive& directive, const SourceLocation& where) {
+  for (const char* option : {"factor", "depth", "ii", "dim"}) {
+    if (!directive.has(option)) continue;
+    long value = 0;
+    try {
+      value = directive.integer(option, 0);
+    } catch (const std::invalid_argument&) {
+      throw CompileError(where, "'" + directive.text(option) + "' is no number for " + option + " of pragma '" +
+                                    directive.kind + "'; write an integer constant");
+    }
+    bool takes_zero = std::string(option) == "dim" || std::string(option) == "depth";
+    if (value < (takes_zero ? 0 : 1))
+      throw CompileError(where, std::string(option) + " of pragma '" + directive.kind + "' must be at least " +
+                                    (takes_zero ? "0" : "1"));
+  }
+}
+
 }  // namespace
 
 std::vector<Directive> DirectiveTable::of(const Value* object, const std::string& kind) const {
@@ -134,6 +152,7 @@ void resolve_loop_directives(Module& module, DirectiveTable& table, Diagnostics&
     for (Marker& marker : markers_of(function)) {
       const std::string& kind = marker.directive.kind;
       SourceLocation where = location_of(*marker.call);
+      check_numbers(marker.directive, where);
       if (kind == "INTERFACE") {
         table.ports[function.getName().str()].push_back(
             {marker.variable_name.empty() && marker.directive.has("port") ? "return" : marker.variable_name,
@@ -147,6 +166,8 @@ void resolve_loop_directives(Module& module, DirectiveTable& table, Diagnostics&
       } else if (kRegionKinds.count(kind)) {
         if (Loop* loop = loops.getLoopFor(marker.call->getParent()))
           attach_to_loop(*loop, marker.directive);
+        else if (kind == "UNROLL" || kind == "LOOP_TRIPCOUNT" || kind == "LOOP_FLATTEN")
+          diagnostics.warn(where, "pragma '" + kind + "' stands in no loop and has no effect; move it into the body of one");
         else
           attach_to_function(function, loops, marker.directive);
       } else {
