@@ -12,9 +12,9 @@ cached() {
     hash=$(git ls-files -z -- "$script" cmake "$@" | xargs -0 sha256sum | sha256sum | cut -c1-16)
     result=build/robust/$name.$hash.tsv
     if [ ! -s "$result" ]; then
-        "$script" >"$result.partial" || true  # What falls short is told by the figures.
-        [ -s "$result.partial" ] || { echo "error: $script printed nothing; run it and read its message." >&2; exit 1; }
-        mv "$result.partial" "$result"
+        # A run that fails is not kept; what it printed still becomes figures.
+        if "$script" >"$result.partial"; then mv "$result.partial" "$result"; else result=$result.partial; fi
+        [ -s "$result" ] || { echo "error: $script printed nothing; run it and read its message." >&2; exit 1; }
     fi
     cat "$result"
 }
