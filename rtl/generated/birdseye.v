@@ -73,7 +73,7 @@ module birdseye (
     reg [1:0] chosen_6_s2;
     reg [2:0] chosen_8_s2;
     reg [30:0] value_18_s2;
-    reg [12:0] both_18_s3;
+    reg [12:0] shifted_11_s3;
     reg both_19_s2;
     reg both_19_s3;
     reg either_2_s3;
@@ -304,8 +304,7 @@ module birdseye (
     wire [26:0] both_15 = value_17[26:0] & 27'd67108864;  // reciprocal.h:53
     wire test_10 = both_15 == 27'd0;  // reciprocal.h:53
     wire shifted_7 = value_17[25];  // reciprocal.h:53
-    wire both_16 = shifted_7 & 1'd1;  // reciprocal.h:53
-    wire [1:0] chosen_6 = test_10 ? {1'd0, both_16} : 2'd2;  // reciprocal.h:53
+    wire [1:0] chosen_6 = test_10 ? {1'd0, shifted_7} : 2'd2;  // reciprocal.h:53
     wire [2:0] chosen_7 = both_8 ? 3'd5 : 3'd6;  // birdseye.h:42
     wire [2:0] chosen_8 = both_11 ? 3'd4 : chosen_7;  // birdseye.h:42
     wire [2:0] chosen_9 = both_13_s2 ? {1'd0, chosen_6_s2} : chosen_8_s2;  // birdseye.h:42
@@ -317,11 +316,9 @@ module birdseye (
     wire [30:0] word_data = word_q;  // reciprocal.h:56
     wire [18:0] shifted_10 = word_data[30:12];  // reciprocal.h:57
     wire [11:0] value_21 = word_data[11:0];  // reciprocal.h:60
-    wire [11:0] both_17 = value_21 & 12'd4095;  // reciprocal.h:60
     wire [16:0] value_22 = shifted_8[16:0];  // reciprocal.h:60
     wire [12:0] shifted_11 = value_22[16:4];  // reciprocal.h:60
-    wire [12:0] both_18 = shifted_11 & 13'd8191;  // reciprocal.h:60
-    wire [24:0] product_4 = {13'd0, both_17} * {12'd0, both_18_s3};  // reciprocal.h:60
+    wire [24:0] product_4 = {13'd0, value_21} * {12'd0, shifted_11_s3};  // reciprocal.h:60
     wire [11:0] shifted_12 = product_4[24:13];  // reciprocal.h:61
     wire [18:0] difference = shifted_10 - {7'd0, shifted_12};  // reciprocal.h:61
     wire [16:0] shifted_13 = difference[18:2];  // reciprocal.h:61
@@ -448,7 +445,7 @@ module birdseye (
             chosen_6_s2 <= chosen_6;
             chosen_8_s2 <= chosen_8;
             value_18_s2 <= value_18;
-            both_18_s3 <= both_18;
+            shifted_11_s3 <= shifted_11;
             both_19_s2 <= both_19;
             both_19_s3 <= both_19_s2;
             either_2_s3 <= either_2;

@@ -99,8 +99,6 @@ module cluster (
     reg [16:0] value_26_q;
     reg [16:0] value_27_q;
     reg [7:0] here_2_q;
-    reg [16:0] here_4_q;
-    reg [16:0] here_5_q;
     reg [6:0] value_36_q;
     reg [31:0] candidates_3_data_3_q;
     reg [31:0] candidates_4_data_3_q;
@@ -110,20 +108,20 @@ module cluster (
     reg [1:0] index_q;
     reg [8:0] sum_8_q;
     reg test_8_q;
+    reg [12:0] point_9_s1;
+    reg [12:0] point_9_s2;
+    reg [11:0] point_10_s1;
+    reg [11:0] point_10_s2;
+    reg [11:0] point_11_s1;
+    reg [11:0] point_11_s2;
+    reg point_12_s1;
+    reg point_12_s2;
+    reg [23:0] point_13_s1;
+    reg [23:0] point_13_s2;
+    reg [23:0] point_14_s1;
+    reg [23:0] point_14_s2;
     reg [7:0] point_15_s1;
     reg [7:0] point_15_s2;
-    reg point_16_s1;
-    reg point_16_s2;
-    reg [23:0] point_17_s1;
-    reg [23:0] point_17_s2;
-    reg [23:0] point_18_s1;
-    reg [23:0] point_18_s2;
-    reg [11:0] point_19_s1;
-    reg [11:0] point_19_s2;
-    reg [11:0] point_20_s1;
-    reg [11:0] point_20_s2;
-    reg [12:0] point_21_s1;
-    reg [12:0] point_21_s2;
     reg [6:0] value_8_s1;
     reg [6:0] value_8_s2;
     reg test_s2;
@@ -161,8 +159,7 @@ module cluster (
 
     // cluster.h:79:34: entry
     wire [16:0] coarse_gap = gap[23:7];  // cluster.h:79
-    wire [16:0] both = coarse_gap & 17'd131071;  // cluster.h:80
-    wire [33:0] squared_gap = {17'd0, both} * {17'd0, both};  // cluster.h:80
+    wire [33:0] squared_gap = {17'd0, coarse_gap} * {17'd0, coarse_gap};  // cluster.h:80
     wire [94:0] points_data = points_dout;  // cluster.h:82
     wire point = $signed(points_data) < $signed(95'd0);
 
@@ -176,16 +173,9 @@ module cluster (
     wire [7:0] point_8 = points_data_q[7:0];  // cluster.h:82
 
     // cluster.h:84:3: loop while_3, II = 3, 3 stages
-    wire point_16 = point_12 & 1'd1;
-    wire [23:0] point_17 = point_13 & 24'd16777215;
-    wire [23:0] point_18 = point_14 & 24'd16777215;
-    wire [11:0] point_19 = point_11 & 12'd4095;
-    wire [11:0] point_20 = point_10 & 12'd4095;
-    wire [12:0] point_21 = point_9 & 13'd8191;
     wire [6:0] value_8 = point_15[6:0];  // cluster.h:85
     wire [8:0] candidates_7_data = candidates_7_q;  // cluster.h:85
-    wire [8:0] both_2 = candidates_7_data & 9'd511;  // cluster.h:86
-    wire test = both_2 == 9'd0;  // cluster.h:86
+    wire test = candidates_7_data == 9'd0;  // cluster.h:86
     wire [23:0] candidates_4_data = candidates_4_q[23:0];  // cluster.h:85
     wire [23:0] candidates_3_data = candidates_3_q[23:0];  // cluster.h:85
     wire [16:0] shifted = point_14[23:7];  // cluster.h:56
@@ -227,8 +217,7 @@ module cluster (
     wire [7:0] candidates_5_data = candidates_5_q;  // cluster.h:105
     wire [7:0] candidates_6_data = candidates_6_q;  // cluster.h:105
     wire [8:0] candidates_7_data_2 = candidates_7_q;  // cluster.h:105
-    wire [8:0] both_3 = candidates_7_data_2 & 9'd511;  // cluster.h:106
-    wire test_4 = both_3 != 9'd0;  // cluster.h:106
+    wire test_4 = candidates_7_data_2 != 9'd0;  // cluster.h:106
     wire [16:0] shifted_11 = candidates_3_data_2[23:7];  // cluster.h:56
     wire [16:0] shifted_12 = candidates_4_data_2[23:7];  // cluster.h:56
     wire [7:0] obstacle = line_2[7:0];  // cluster.h:106
@@ -263,8 +252,6 @@ module cluster (
     wire test_6 = i == 2'd0;  // cluster.h:108
 
     // cluster.h:106:23: for_5
-    wire [16:0] here_4 = shifted_11_q & 17'd131071;  // cluster.h:56
-    wire [16:0] here_5 = shifted_12_q & 17'd131071;  // cluster.h:56
     wire test_7 = line_2 != {1'd0, here_2_q};
     wire both_5 = test_4_q & test_7;  // cluster.h:112
 
@@ -295,7 +282,6 @@ module cluster (
 
     // cluster.h:115:28: ZN9ap_detail7integerI7ap_uintILi9EEEENS_7IntegerIT_E4typeERKS4
     wire [8:0] sum_7 = candidates_7_data_3_q + 9'd1;  // cluster.h:117
-    wire [8:0] obstacle_8 = sum_7 & 9'd511;  // cluster.h:117
 
     // cluster.h:125:17: for_6
     wire [7:0] before_0_data_2 = before_0[2'd1];  // cluster.h:125
@@ -320,8 +306,7 @@ module cluster (
     // cluster.h:131:3: loop for_8, II = 1, 2 stages
     wire [6:0] value_42 = line_3[6:0];  // cluster.h:133
     wire [8:0] candidates_7_data_4 = candidates_7_q;  // cluster.h:133
-    wire [8:0] both_6 = candidates_7_data_4 & 9'd511;  // cluster.h:134
-    wire test_9 = both_6 != 9'd0;  // cluster.h:134
+    wire test_9 = candidates_7_data_4 != 9'd0;  // cluster.h:134
     wire test_10 = candidates_7_data_4 >= {1'd0, min_lines};  // cluster.h:134
     wire both_7 = test_9 & test_10;  // cluster.h:134
     wire [7:0] candidates_6_data_2 = candidates_6_q;  // cluster.h:133
@@ -334,23 +319,17 @@ module cluster (
     wire [7:0] both_8 = line_3[7:0] & 8'd255;  // cluster.h:137
     wire [15:0] shifted_15 = {candidates_6_data_2, 8'd0};  // cluster.h:137
     wire [15:0] either_2 = shifted_15 | {8'd0, both_8_s1};  // cluster.h:137
-    wire [12:0] both_9 = candidates_0_data_3 & 13'd8191;  // cluster.h:137
-    wire [28:0] shifted_16 = {both_9, 16'd0};  // cluster.h:137
+    wire [28:0] shifted_16 = {candidates_0_data_3, 16'd0};  // cluster.h:137
     wire [28:0] either_3 = {13'd0, either_2} | shifted_16;  // cluster.h:137
-    wire [11:0] both_10 = candidates_1_data_3 & 12'd4095;  // cluster.h:137
-    wire [40:0] shifted_17 = {both_10, 29'd0};  // cluster.h:137
+    wire [40:0] shifted_17 = {candidates_1_data_3, 29'd0};  // cluster.h:137
     wire [40:0] either_4 = {12'd0, either_3} | shifted_17;  // cluster.h:137
-    wire [11:0] both_11 = candidates_2_data_3 & 12'd4095;  // cluster.h:137
-    wire [52:0] shifted_18 = {both_11, 41'd0};  // cluster.h:137
+    wire [52:0] shifted_18 = {candidates_2_data_3, 41'd0};  // cluster.h:137
     wire [52:0] either_5 = {12'd0, either_4} | shifted_18;  // cluster.h:137
-    wire [23:0] both_12 = candidates_3_data_4 & 24'd16777215;  // cluster.h:137
-    wire [76:0] shifted_19 = {both_12, 53'd0};  // cluster.h:137
+    wire [76:0] shifted_19 = {candidates_3_data_4, 53'd0};  // cluster.h:137
     wire [76:0] either_6 = {24'd0, either_5} | shifted_19;  // cluster.h:137
-    wire [23:0] both_13 = candidates_4_data_4 & 24'd16777215;  // cluster.h:137
-    wire [100:0] shifted_20 = {both_13, 77'd0};  // cluster.h:137
+    wire [100:0] shifted_20 = {candidates_4_data_4, 77'd0};  // cluster.h:137
     wire [100:0] either_7 = {24'd0, either_6} | shifted_20;  // cluster.h:137
-    wire both_14 = candidates_5_data_3 & 1'd1;  // cluster.h:137
-    wire [101:0] shifted_21 = {both_14, 101'd0};  // cluster.h:137
+    wire [101:0] shifted_21 = {candidates_5_data_3, 101'd0};  // cluster.h:137
     wire [101:0] either_8 = {1'd0, either_7} | shifted_21;  // cluster.h:137
     wire [8:0] sum_9 = line_3 + 9'd1;  // cluster.h:131
     wire test_11 = sum_9 < line_count;  // cluster.h:131
@@ -403,7 +382,7 @@ module cluster (
             candidates_7_words[candidates_7_index] = 9'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall) | (for_8_active[1] & for_8_ce)) candidates_7_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) ? value_25_q : value_42_s1] <= while_3_active[2] & either ? 9'd1 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_8 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) ? 9'd0 : 9'd0;
+        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall) | (for_8_active[1] & for_8_ce)) candidates_7_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) ? value_25_q : value_42_s1] <= while_3_active[2] & either ? 9'd1 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? sum_7 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) ? 9'd0 : 9'd0;
         if ((while_3_active[0] & while_3_ce) | ((state == S_FOR_3_0) & ~stall) | ((state == S_IF_2_0) & ~stall) | (for_8_active[0] & for_8_ce)) candidates_7_read <= candidates_7_words[while_3_active[0] ? value_8 : (state == S_FOR_3_0) ? value_25 : (state == S_IF_2_0) ? value_36 : value_42];
     end
 
@@ -417,7 +396,7 @@ module cluster (
             candidates_4_words[candidates_4_index] = 32'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_4_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? {8'd0, point_17_s2} : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_5 : candidates_4_data_2_q;
+        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_4_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? {8'd0, point_13_s2} : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_5 : candidates_4_data_2_q;
         if ((while_3_active[0] & while_3_ce) | ((state == S_FOR_3_0) & ~stall) | ((state == S_IF_2_0) & ~stall) | (for_8_active[0] & for_8_ce)) candidates_4_read <= candidates_4_words[while_3_active[0] ? value_8 : (state == S_FOR_3_0) ? value_25 : (state == S_IF_2_0) ? value_36 : value_42];
     end
 
@@ -431,7 +410,7 @@ module cluster (
             candidates_3_words[candidates_3_index] = 32'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_3_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? {8'd0, point_18_s2} : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_4 : candidates_3_data_2_q;
+        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_3_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? {8'd0, point_14_s2} : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_4 : candidates_3_data_2_q;
         if ((while_3_active[0] & while_3_ce) | ((state == S_FOR_3_0) & ~stall) | ((state == S_IF_2_0) & ~stall) | (for_8_active[0] & for_8_ce)) candidates_3_read <= candidates_3_words[while_3_active[0] ? value_8 : (state == S_FOR_3_0) ? value_25 : (state == S_IF_2_0) ? value_36 : value_42];
     end
 
@@ -445,7 +424,7 @@ module cluster (
             candidates_0_words[candidates_0_index] = 16'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_0_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? {3'd0, point_21_s2} : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_7 : candidates_0_data_q;
+        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_0_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? {3'd0, point_9_s2} : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_7 : candidates_0_data_q;
         if (((state == S_FOR_3_0) & ~stall) | ((state == S_COND_0) & ~stall) | (for_8_active[0] & for_8_ce)) candidates_0_read <= candidates_0_words[(state == S_FOR_3_0) ? value_25 : (state == S_COND_0) ? value_36_q : value_42];
     end
 
@@ -459,7 +438,7 @@ module cluster (
             candidates_1_words[candidates_1_index] = 16'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_1_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? {4'd0, point_20_s2} : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_2 : candidates_1_data_q;
+        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_1_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? {4'd0, point_10_s2} : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_2 : candidates_1_data_q;
         if (((state == S_FOR_3_0) & ~stall) | ((state == S_COND_0) & ~stall) | (for_8_active[0] & for_8_ce)) candidates_1_read <= candidates_1_words[(state == S_FOR_3_0) ? value_25 : (state == S_COND_0) ? value_36_q : value_42];
     end
 
@@ -473,7 +452,7 @@ module cluster (
             candidates_2_words[candidates_2_index] = 16'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_2_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? {4'd0, point_19_s2} : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_3 : candidates_2_data_q;
+        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_2_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? {4'd0, point_11_s2} : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_3 : candidates_2_data_q;
         if (((state == S_FOR_3_0) & ~stall) | ((state == S_COND_0) & ~stall) | (for_8_active[0] & for_8_ce)) candidates_2_read <= candidates_2_words[(state == S_FOR_3_0) ? value_25 : (state == S_COND_0) ? value_36_q : value_42];
     end
 
@@ -487,7 +466,7 @@ module cluster (
             candidates_5_words[candidates_5_index] = 8'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_5_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? {7'd0, point_16_s2} : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_6 : candidates_5_data_q;
+        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_5_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? {7'd0, point_12_s2} : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_6 : candidates_5_data_q;
         if (((state == S_FOR_3_0) & ~stall) | ((state == S_COND_0) & ~stall) | (for_8_active[0] & for_8_ce)) candidates_5_read <= candidates_5_words[(state == S_FOR_3_0) ? value_25 : (state == S_COND_0) ? value_36_q : value_42];
     end
 
@@ -667,13 +646,13 @@ module cluster (
         if ((state == S_WHILE_5) & ~stall) before_2[2'd2] <= 32'd0;
         if ((state == S_FOR_6_0) & ~stall) before_2[2'd2] <= before_2_data_2;
         if ((state == S_FOR_6_0) & ~stall) before_2[2'd1] <= before_2_data_3;
-        if ((state == S_FOR_6_0) & ~stall) before_2[2'd0] <= {15'd0, here_4_q};
+        if ((state == S_FOR_6_0) & ~stall) before_2[2'd0] <= {15'd0, shifted_11_q};
         if ((state == S_WHILE_5) & ~stall) before_3[2'd0] <= 32'd0;
         if ((state == S_WHILE_5) & ~stall) before_3[2'd1] <= 32'd0;
         if ((state == S_WHILE_5) & ~stall) before_3[2'd2] <= 32'd0;
         if ((state == S_FOR_6_0) & ~stall) before_3[2'd2] <= before_3_data_2;
         if ((state == S_FOR_6_0) & ~stall) before_3[2'd1] <= before_3_data_3;
-        if ((state == S_FOR_6_0) & ~stall) before_3[2'd0] <= {15'd0, here_5_q};
+        if ((state == S_FOR_6_0) & ~stall) before_3[2'd0] <= {15'd0, shifted_12_q};
         if ((state == S_WHILE_5) & ~stall) before_4[2'd0] <= 8'd0;
         if ((state == S_WHILE_5) & ~stall) before_4[2'd1] <= 8'd0;
         if ((state == S_WHILE_5) & ~stall) before_4[2'd2] <= 8'd0;
@@ -703,8 +682,6 @@ module cluster (
         if ((state == S_FOR_3_1) & ~stall) value_26_q <= value_26;
         if ((state == S_FOR_3_1) & ~stall) value_27_q <= value_27;
         if (for_4_active[1] & for_4_ce) here_2_q <= here_2;
-        if ((state == S_FOR_5) & ~stall) here_4_q <= here_4;
-        if ((state == S_FOR_5) & ~stall) here_5_q <= here_5;
         if ((state == S_IF_2_0) & ~stall) value_36_q <= value_36;
         if ((state == S_IF_2_1) & ~stall) candidates_3_data_3_q <= candidates_3_data_3;
         if ((state == S_IF_2_1) & ~stall) candidates_4_data_3_q <= candidates_4_data_3;
@@ -715,20 +692,20 @@ module cluster (
         if ((state == S_FOR_6_0) & ~stall) sum_8_q <= sum_8;
         if ((state == S_FOR_6_0) & ~stall) test_8_q <= test_8;
         if (while_3_ce) begin
+            point_9_s1 <= point_9;
+            point_9_s2 <= point_9_s1;
+            point_10_s1 <= point_10;
+            point_10_s2 <= point_10_s1;
+            point_11_s1 <= point_11;
+            point_11_s2 <= point_11_s1;
+            point_12_s1 <= point_12;
+            point_12_s2 <= point_12_s1;
+            point_13_s1 <= point_13;
+            point_13_s2 <= point_13_s1;
+            point_14_s1 <= point_14;
+            point_14_s2 <= point_14_s1;
             point_15_s1 <= point_15;
             point_15_s2 <= point_15_s1;
-            point_16_s1 <= point_16;
-            point_16_s2 <= point_16_s1;
-            point_17_s1 <= point_17;
-            point_17_s2 <= point_17_s1;
-            point_18_s1 <= point_18;
-            point_18_s2 <= point_18_s1;
-            point_19_s1 <= point_19;
-            point_19_s2 <= point_19_s1;
-            point_20_s1 <= point_20;
-            point_20_s2 <= point_20_s1;
-            point_21_s1 <= point_21;
-            point_21_s2 <= point_21_s1;
             value_8_s1 <= value_8;
             value_8_s2 <= value_8_s1;
             test_s2 <= test;

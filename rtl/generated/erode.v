@@ -77,8 +77,7 @@ module erode (
     wire test_3 = at_5 < height;  // erode.h:38
 
     // window.h:38:8: ZN9ap_detail6largerEii_2
-    wire [11:0] both = height & 12'd4095;
-    wire [12:0] sum_2 = {1'd0, both} + 13'd1;
+    wire [12:0] sum_2 = {1'd0, height} + 13'd1;
     wire test_4 = at_q == 12'd0;
 
     // window.h:38:3: loop for_5, II = 1, 3 stages
@@ -121,8 +120,7 @@ module erode (
     wire test_13 = both_12 > 2'd1;  // erode.h:21
     wire [1:0] chosen_3 = test_13 ? 2'd2 : 2'd0;  // erode.h:21
     wire value_12 = middle[0];  // erode.h:21
-    wire both_13 = value_12 & 1'd1;  // erode.h:21
-    wire [1:0] either_6 = chosen_3 | {1'd0, both_13};  // erode.h:21
+    wire [1:0] either_6 = chosen_3 | {1'd0, value_12};  // erode.h:21
     wire test_14 = at_6 == at_q;  // raster.h:18
     wire [11:0] sum_3 = at_6 + 12'd1;  // raster.h:21
     wire [11:0] at_8 = test_14 ? 12'd0 : sum_3;  // raster.h:21

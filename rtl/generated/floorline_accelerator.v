@@ -538,9 +538,9 @@ module floorline_accelerator (
 
     wire luma_start, luma_done, luma_start_free;
     wire [24:0] luma_scalars;
-    fifo #(
+    scalar_fifo #(
         .WIDTH(25),
-        .DEPTH(2)
+        .DEPTH(4)
     ) luma_starts (
         .clk(ap_clk),
         .rst(rst),
@@ -572,9 +572,9 @@ module floorline_accelerator (
 
     wire frame_ring_start, frame_ring_done, frame_ring_start_free;
     wire [312:0] frame_ring_scalars;
-    fifo #(
+    scalar_fifo #(
         .WIDTH(313),
-        .DEPTH(5)
+        .DEPTH(4)
     ) frame_ring_starts (
         .clk(ap_clk),
         .rst(rst),
@@ -618,9 +618,9 @@ module floorline_accelerator (
 
     wire difference_start, difference_done, difference_start_free;
     wire [24:0] difference_scalars;
-    fifo #(
+    scalar_fifo #(
         .WIDTH(25),
-        .DEPTH(2)
+        .DEPTH(4)
     ) difference_starts (
         .clk(ap_clk),
         .rst(rst),
@@ -652,9 +652,9 @@ module floorline_accelerator (
 
     wire gaussian_start, gaussian_done, gaussian_start_free;
     wire [23:0] gaussian_scalars;
-    fifo #(
+    scalar_fifo #(
         .WIDTH(24),
-        .DEPTH(2)
+        .DEPTH(4)
     ) gaussian_starts (
         .clk(ap_clk),
         .rst(rst),
@@ -685,9 +685,9 @@ module floorline_accelerator (
 
     wire otsu_start, otsu_done, otsu_start_free;
     wire [23:0] otsu_scalars;
-    fifo #(
+    scalar_fifo #(
         .WIDTH(24),
-        .DEPTH(2)
+        .DEPTH(4)
     ) otsu_starts (
         .clk(ap_clk),
         .rst(rst),
@@ -721,9 +721,9 @@ module floorline_accelerator (
 
     wire binarize_start, binarize_done, binarize_start_free;
     wire [47:0] binarize_scalars;
-    fifo #(
+    scalar_fifo #(
         .WIDTH(48),
-        .DEPTH(2)
+        .DEPTH(4)
     ) binarize_starts (
         .clk(ap_clk),
         .rst(rst),
@@ -760,9 +760,9 @@ module floorline_accelerator (
 
     wire erode_start, erode_done, erode_start_free;
     wire [24:0] erode_scalars;
-    fifo #(
+    scalar_fifo #(
         .WIDTH(25),
-        .DEPTH(2)
+        .DEPTH(4)
     ) erode_starts (
         .clk(ap_clk),
         .rst(rst),
@@ -794,9 +794,9 @@ module floorline_accelerator (
 
     wire roi_start, roi_done, roi_start_free;
     wire [47:0] roi_scalars;
-    fifo #(
+    scalar_fifo #(
         .WIDTH(48),
-        .DEPTH(2)
+        .DEPTH(4)
     ) roi_starts (
         .clk(ap_clk),
         .rst(rst),
@@ -829,9 +829,9 @@ module floorline_accelerator (
 
     wire polar_start, polar_done, polar_start_free;
     wire [80:0] polar_scalars;
-    fifo #(
+    scalar_fifo #(
         .WIDTH(81),
-        .DEPTH(5)
+        .DEPTH(4)
     ) polar_starts (
         .clk(ap_clk),
         .rst(rst),
@@ -904,9 +904,9 @@ module floorline_accelerator (
 
     wire birdseye_start, birdseye_done, birdseye_start_free;
     wire [287:0] birdseye_scalars;
-    fifo #(
+    scalar_fifo #(
         .WIDTH(288),
-        .DEPTH(5)
+        .DEPTH(4)
     ) birdseye_starts (
         .clk(ap_clk),
         .rst(rst),
@@ -977,9 +977,9 @@ module floorline_accelerator (
 
     wire cluster_start, cluster_done, cluster_start_free;
     wire [40:0] cluster_scalars;
-    fifo #(
+    scalar_fifo #(
         .WIDTH(41),
-        .DEPTH(2)
+        .DEPTH(4)
     ) cluster_starts (
         .clk(ap_clk),
         .rst(rst),

@@ -68,7 +68,7 @@ module frame_ring (
     wire [7:0] even_odd_q;
     wire [7:0] odd_even_q;
     wire [7:0] odd_odd_q;
-    reg [11:0] both_q;
+    reg [11:0] base_data_q;
     reg [11:0] write_row_q;
     reg [11:0] at_q;
     reg [11:0] spare_rows_2_q;
@@ -84,8 +84,8 @@ module frame_ring (
     reg [7:0] in_data_s5;
     reg [2:0] chosen_5_s1;
     reg [2:0] chosen_5_s2;
-    reg [12:0] both_9_s1;
-    reg [16:0] both_10_s2;
+    reg [12:0] shifted_5_s1;
+    reg [16:0] shifted_7_s2;
     reg [24:0] shifted_8_s1;
     reg [24:0] shifted_8_s2;
     reg test_11_s3;
@@ -101,7 +101,6 @@ module frame_ring (
     reg test_17_s3;
     reg test_18_s3;
     reg [11:0] value_34_s3;
-    reg [11:0] both_16_s3;
     reg test_19_s3;
     reg [12:0] both_17_s3;
     reg both_18_s3;
@@ -114,10 +113,11 @@ module frame_ring (
     reg brmerge_s1;
     reg brmerge_s2;
     reg brmerge_s3;
-    reg [11:0] both_25_s3;
+    reg [12:0] sum_9_s3;
+    reg [11:0] value_40_s3;
     reg [10:0] shifted_16_s4;
     reg [10:0] shifted_17_s4;
-    reg [11:0] both_27_s3;
+    reg [11:0] value_47_s3;
     reg value_50_s3;
     reg [10:0] shifted_18_s4;
     reg [10:0] shifted_19_s4;
@@ -334,9 +334,7 @@ module frame_ring (
 
     // frame_ring.h:103:19: if_2
     wire [11:0] base_data = base;  // frame_ring.h:105
-    wire [11:0] both = base_data & 12'd4095;  // frame_ring.h:105
-    wire [11:0] both_2 = height & 12'd4095;  // frame_ring.h:105
-    wire [12:0] row = {1'd0, both} + {1'd0, both_2};  // frame_ring.h:105
+    wire [12:0] row = {1'd0, base_data} + {1'd0, height};  // frame_ring.h:105
     wire test_3 = row > 13'd511;  // banks.h:15
     wire [11:0] value_7 = row[11:0];  // banks.h:15
     wire [11:0] sum = value_7 + 12'd3584;  // banks.h:15
@@ -366,8 +364,7 @@ module frame_ring (
     wire [26:0] both_6 = z_walk_2[26:0] & 27'd67108864;  // reciprocal.h:53
     wire test_10 = both_6 == 27'd0;  // reciprocal.h:53
     wire shifted = z_walk_2[25];  // reciprocal.h:53
-    wire both_7 = shifted & 1'd1;  // reciprocal.h:53
-    wire [1:0] chosen = test_10 ? {1'd0, both_7} : 2'd2;  // reciprocal.h:53
+    wire [1:0] chosen = test_10 ? {1'd0, shifted} : 2'd2;  // reciprocal.h:53
     wire [2:0] chosen_2 = test_6 ? 3'd5 : 3'd6;
     wire [2:0] chosen_3 = test_7 ? 3'd4 : chosen_2;
     wire [2:0] chosen_4 = test_8 ? {1'd0, chosen} : chosen_3;
@@ -379,17 +376,14 @@ module frame_ring (
     wire [30:0] word_data = word_q;  // reciprocal.h:56
     wire [18:0] shifted_4 = word_data[30:12];  // reciprocal.h:57
     wire [11:0] value_17 = word_data[11:0];  // reciprocal.h:60
-    wire [11:0] both_8 = value_17 & 12'd4095;  // reciprocal.h:60
     wire [16:0] value_18 = shifted_2[16:0];  // reciprocal.h:60
     wire [12:0] shifted_5 = value_18[16:4];  // reciprocal.h:60
-    wire [12:0] both_9 = shifted_5 & 13'd8191;  // reciprocal.h:60
-    wire [24:0] product = {13'd0, both_8} * {12'd0, both_9_s1};  // reciprocal.h:60
+    wire [24:0] product = {13'd0, value_17} * {12'd0, shifted_5_s1};  // reciprocal.h:60
     wire [11:0] shifted_6 = product[24:13];  // reciprocal.h:61
     wire [18:0] difference = shifted_4 - {7'd0, shifted_6};  // reciprocal.h:61
     wire [16:0] shifted_7 = difference[18:2];  // reciprocal.h:61
-    wire [16:0] both_10 = shifted_7 & 17'd131071;  // reciprocal.h:70
     wire [24:0] shifted_8 = x_walk_3[31:7];  // reciprocal.h:70
-    wire [41:0] product_2 = $signed(shifted_8_s2) * $signed({1'd0, both_10_s2});  // reciprocal.h:70
+    wire [41:0] product_2 = $signed(shifted_8_s2) * $signed({1'd0, shifted_7_s2});  // reciprocal.h:70
     wire [42:0] shifted_9_wide = {{1{product_2[41]}}, product_2};
     wire [19:0] shifted_9 = shifted_9_wide[42:23];  // reciprocal.h:71
     wire [19:0] shifted_10 = $signed(shifted_9) >>> chosen_5_s2;  // reciprocal.h:71
@@ -413,7 +407,7 @@ module frame_ring (
     wire [1:0] chosen_7 = both_14 ? 2'd3 : {1'd0, differs_2};
     wire [11:0] sum_4 = {{10{chosen_7[1]}}, chosen_7} + value_27_s3;
     wire [24:0] shifted_12 = y_walk_2[31:7];  // reciprocal.h:70
-    wire [41:0] product_3 = $signed(shifted_12_s2) * $signed({1'd0, both_10_s2});  // reciprocal.h:70
+    wire [41:0] product_3 = $signed(shifted_12_s2) * $signed({1'd0, shifted_7_s2});  // reciprocal.h:70
     wire [42:0] shifted_13_wide = {{1{product_3[41]}}, product_3};
     wire [19:0] shifted_13 = shifted_13_wide[42:23];  // reciprocal.h:71
     wire [19:0] shifted_14 = $signed(shifted_13) >>> chosen_5_s2;  // reciprocal.h:71
@@ -426,7 +420,6 @@ module frame_ring (
     wire test_18 = $signed(shifted_15) <= $signed({8'd0, sum_2_q});  // frame_ring.h:49
     wire [11:0] value_33 = shifted_15[11:0];  // frame_ring.h:50
     wire [11:0] value_34 = shifted_15[11:0];  // frame_ring.h:50
-    wire [11:0] both_16 = value_34 & 12'd4095;  // frame_ring.h:50
     wire test_19 = sum_2_q != value_33;  // frame_ring.h:51
     wire [12:0] both_17 = sum_5[12:0] & 13'd8190;  // frame_ring.h:51
     wire test_20 = both_17_s3 != 13'd0;  // frame_ring.h:51
@@ -436,11 +429,10 @@ module frame_ring (
     wire both_19 = differs_3_s3 & test_20;
     wire [11:0] sum_6 = value_33 + 12'd4095;  // frame_ring.h:53
     wire [11:0] sum_7 = value_33 + 12'd1;  // frame_ring.h:53
-    wire [11:0] chosen_9 = both_18_s3 ? sum_7_s3 : both_16_s3;
+    wire [11:0] chosen_9 = both_18_s3 ? sum_7_s3 : value_34_s3;
     wire [11:0] chosen_10 = both_19 ? sum_6_s3 : chosen_9;
     wire [11:0] chosen_11 = test_16_s3 ? value_34_s3 : chosen_10;  // frame_ring.h:54
-    wire [11:0] both_20 = chosen_11 & 12'd4095;  // frame_ring.h:130
-    wire [12:0] sum_8 = {1'd0, both_20} + {1'd0, spare_rows_2_q};  // frame_ring.h:130
+    wire [12:0] sum_8 = {1'd0, chosen_11} + {1'd0, spare_rows_2_q};  // frame_ring.h:130
     wire test_21 = sum_8 > {1'd0, at_2_s3};  // frame_ring.h:130
     wire differs_4 = ~replace_reference;
     wire either_2 = differs_4_s3 | test_21;
@@ -450,13 +442,12 @@ module frame_ring (
     wire both_23 = both_22 & test_18_s3;
     wire both_24 = both_23 & either_2;
     wire [11:0] value_39 = shifted_15[11:0];  // frame_ring.h:133
-    wire [11:0] both_25 = value_39 & 12'd4095;  // frame_ring.h:133
-    wire [12:0] sum_9 = {1'd0, both_q} + {1'd0, both_25_s3};  // frame_ring.h:133
-    wire test_22 = sum_9 > 13'd511;  // banks.h:15
+    wire [12:0] sum_9 = {1'd0, base_data_q} + {1'd0, value_39};  // frame_ring.h:133
+    wire test_22 = sum_9_s3 > 13'd511;  // banks.h:15
     wire [11:0] value_40 = sum_9[11:0];  // banks.h:15
-    wire [11:0] sum_10 = value_40 + 12'd3584;  // banks.h:15
-    wire [11:0] chosen_12 = test_22 ? sum_10 : value_40;  // banks.h:15
-    wire [12:0] sum_11 = {1'd0, both_q} + {1'd0, chosen_10};  // frame_ring.h:134
+    wire [11:0] sum_10 = value_40_s3 + 12'd3584;  // banks.h:15
+    wire [11:0] chosen_12 = test_22 ? sum_10 : value_40_s3;  // banks.h:15
+    wire [12:0] sum_11 = {1'd0, base_data_q} + {1'd0, chosen_10};  // frame_ring.h:134
     wire test_23 = sum_11 > 13'd511;  // banks.h:15
     wire [11:0] value_42 = sum_11[11:0];  // banks.h:15
     wire [11:0] sum_12 = value_42 + 12'd3584;  // banks.h:15
@@ -470,11 +461,10 @@ module frame_ring (
     wire chosen_16 = value_45 ? both_26 : both_24;  // banks.h:40
     wire chosen_17 = value_45 ? both_24 : both_26;  // banks.h:41
     wire [11:0] value_47 = shifted_11[11:0];  // frame_ring.h:136
-    wire [11:0] both_27 = value_47 & 12'd4095;  // frame_ring.h:136
     wire value_50 = shifted_11[0];  // banks.h:36
-    wire [11:0] chosen_18 = value_50_s3 ? sum_4 : both_27_s3;  // banks.h:38
+    wire [11:0] chosen_18 = value_50_s3 ? sum_4 : value_47_s3;  // banks.h:38
     wire [10:0] shifted_18 = chosen_18[11:1];  // banks.h:38
-    wire [11:0] chosen_19 = value_50_s3 ? both_27_s3 : sum_4;  // banks.h:39
+    wire [11:0] chosen_19 = value_50_s3 ? value_47_s3 : sum_4;  // banks.h:39
     wire [10:0] shifted_19 = chosen_19[11:1];  // banks.h:39
     wire both_28 = chosen_6 & value_50_s3;  // banks.h:41
     wire either_3 = value_50_s3 | differs;  // banks.h:41
@@ -778,7 +768,7 @@ module frame_ring (
         if ((state == S_IF_3) & ~stall) has_reference <= 1'd1;
         if ((state == S_IF_3) & ~stall) base <= write_row_q;
         if (for_3_active[0] & for_3_front_ce) word_q <= word_at(shifted_3);
-        if ((state == S_IF_2) & ~stall) both_q <= both;
+        if ((state == S_IF_2) & ~stall) base_data_q <= base_data;
         if ((state == S_IF_2) & ~stall) write_row_q <= write_row;
         if ((state == S_IF_2) & ~stall) at_q <= at;
         if ((state == S_FOR_2) & ~stall) spare_rows_2_q <= spare_rows_2;
@@ -788,7 +778,7 @@ module frame_ring (
             at_2_s1 <= at_2;
             in_data_s1 <= in_data;
             chosen_5_s1 <= chosen_5;
-            both_9_s1 <= both_9;
+            shifted_5_s1 <= shifted_5;
             shifted_8_s1 <= shifted_8;
             shifted_12_s1 <= shifted_12;
             differs_4_s1 <= differs_4;
@@ -808,7 +798,7 @@ module frame_ring (
             in_data_s4 <= in_data_s3;
             in_data_s5 <= in_data_s4;
             chosen_5_s2 <= chosen_5_s1;
-            both_10_s2 <= both_10;
+            shifted_7_s2 <= shifted_7;
             shifted_8_s2 <= shifted_8_s1;
             test_11_s3 <= test_11;
             test_12_s3 <= test_12;
@@ -822,7 +812,6 @@ module frame_ring (
             test_17_s3 <= test_17;
             test_18_s3 <= test_18;
             value_34_s3 <= value_34;
-            both_16_s3 <= both_16;
             test_19_s3 <= test_19;
             both_17_s3 <= both_17;
             both_18_s3 <= both_18;
@@ -833,10 +822,11 @@ module frame_ring (
             differs_4_s3 <= differs_4_s2;
             brmerge_s2 <= brmerge_s1;
             brmerge_s3 <= brmerge_s2;
-            both_25_s3 <= both_25;
+            sum_9_s3 <= sum_9;
+            value_40_s3 <= value_40;
             shifted_16_s4 <= shifted_16;
             shifted_17_s4 <= shifted_17;
-            both_27_s3 <= both_27;
+            value_47_s3 <= value_47;
             value_50_s3 <= value_50;
             shifted_18_s4 <= shifted_18;
             shifted_19_s4 <= shifted_19;

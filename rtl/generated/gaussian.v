@@ -62,8 +62,7 @@ module gaussian (
 
     // raster.h:16:71: entry
     wire [11:0] at = width + 12'd4095;  // raster.h:16
-    wire [11:0] both = height & 12'd4095;
-    wire [12:0] sum = {1'd0, both} + 13'd1;
+    wire [12:0] sum = {1'd0, height} + 13'd1;
     wire test = at == 12'd0;
 
     // window.h:38:3: loop for_2, II = 1, 4 stages
@@ -98,7 +97,6 @@ module gaussian (
     wire [17:0] sum_3 = shifted_4_s2 + product_s2;  // gaussian.h:18
     wire [17:0] sum_4 = sum_3 + 18'd32;  // gaussian.h:27
     wire [11:0] shifted_5 = sum_4[17:6];  // gaussian.h:27
-    wire [11:0] both_7 = shifted_5 & 12'd4095;  // gaussian.h:27
     wire test_7 = at_3 > 12'd1;  // window.h:54
     wire test_8 = at_2 != 12'd0;
     wire both_8 = test_5 & test_8;
@@ -108,8 +106,7 @@ module gaussian (
     wire either_4 = test_9 | test_q;  // window.h:56
     wire [11:0] chosen = either_4_s2 ? middle : left;  // window.h:58
     wire [11:0] chosen_2 = test_4_s2 ? middle : shifted_5;  // window.h:58
-    wire [11:0] both_10 = chosen_2 & 12'd4095;  // gaussian.h:17
-    wire [12:0] sum_5 = {1'd0, both_10} + {1'd0, chosen};  // gaussian.h:17
+    wire [12:0] sum_5 = {1'd0, chosen_2} + {1'd0, chosen};  // gaussian.h:17
     wire [12:0] shifted_6 = {middle, 1'd0};  // gaussian.h:17
     wire [13:0] difference_2 = {1'd0, sum_5} - {1'd0, shifted_6};  // gaussian.h:17
     wire [13:0] value_20 = difference_2;  // gaussian.h:17
@@ -163,7 +160,7 @@ module gaussian (
         end
         if (for_2_active[0] & for_2_front_ce) at_2 <= at_4;
         if (for_2_active[0] & for_2_front_ce) at_3 <= at_5;
-        if (for_2_active[2] & for_2_ce) middle <= both_7;
+        if (for_2_active[2] & for_2_ce) middle <= shifted_5;
         if (for_2_active[2] & for_2_ce) left <= middle;
         case (state)
             S_IDLE: if (ap_start) begin

@@ -49,10 +49,8 @@ module luma (
     wire [7:0] shifted = in_data[23:16];  // luma.h:18
     wire [7:0] shifted_2 = in_data[15:8];  // luma.h:19
     wire [7:0] value_5 = in_data[7:0];  // luma.h:21
-    wire [7:0] both = value_5 & 8'd255;  // luma.h:21
-    wire [8:0] difference = {1'd0, shifted} - {1'd0, both};  // luma.h:21
-    wire [7:0] both_2 = shifted_2 & 8'd255;  // luma.h:22
-    wire [8:0] difference_2 = {1'd0, both_2} - {1'd0, both};  // luma.h:22
+    wire [8:0] difference = {1'd0, shifted} - {1'd0, value_5};  // luma.h:21
+    wire [8:0] difference_2 = {1'd0, shifted_2} - {1'd0, value_5};  // luma.h:22
     wire [7:0] value_7 = in_data[7:0];  // luma.h:23
     wire [17:0] shifted_3 = {value_7, 10'd0};  // luma.h:23
     wire [17:0] both_3 = shifted_3 & 18'd261120;  // luma.h:23

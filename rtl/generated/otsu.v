@@ -117,10 +117,14 @@ module otsu (
     reg value_10_s5;
     reg value_10_s6;
     reg differs_2_s1;
-    reg [18:0] both_3_s2;
+    reg [18:0] histogram_data_2_s2;
     reg [27:0] value_14_s1;
     reg [27:0] value_14_s2;
     reg [43:0] chosen_2_s3;
+    reg [43:0] deviation_2_s4;
+    reg [43:0] deviation_2_s5;
+    reg [43:0] deviation_2_s6;
+    reg [43:0] deviation_2_s7;
     reg [18:0] below_2_s2;
     reg [19:0] value_17_s2;
     reg [35:0] product_2_s3;
@@ -128,10 +132,6 @@ module otsu (
     reg [35:0] product_2_s5;
     reg [35:0] product_2_s6;
     reg [35:0] product_2_s7;
-    reg [43:0] both_4_s4;
-    reg [43:0] both_4_s5;
-    reg [43:0] both_4_s6;
-    reg [43:0] both_4_s7;
     reg [43:0] mantissa_s4;
     reg test_7_s4;
     reg [5:0] extract_3_s4;
@@ -170,9 +170,9 @@ module otsu (
     reg [2:0] both_25_s1;
     reg test_21_s1;
     reg test_23_s1;
-    reg [16:0] both_28_s1;
+    reg [16:0] best_denominator_data_s1;
     reg [33:0] chosen_9_s2;
-    reg [16:0] both_30_s1;
+    reg [16:0] denominator_data_s1;
     reg [33:0] chosen_10_s2;
     reg test_24_s1;
     reg test_24_s2;
@@ -483,9 +483,8 @@ module otsu (
     wire value_10 = step[0];  // otsu.h:286
     wire differs_2 = ~value_10;
     wire [18:0] histogram_data_2 = histogram_q;  // otsu.h:288
-    wire [18:0] both_3 = histogram_data_2 & 19'd524287;  // otsu.h:291
     wire [27:0] value_14 = excess_2;  // otsu.h:291
-    wire [43:0] product = {25'd0, both_3_s2} * {{16{value_14_s2[27]}}, value_14_s2};  // otsu.h:291
+    wire [43:0] product = {25'd0, histogram_data_2_s2} * {{16{value_14_s2[27]}}, value_14_s2};  // otsu.h:291
     wire [43:0] chosen_2 = value_10_s2 ? 44'd0 : product;  // otsu.h:289
     wire [43:0] deviation_2 = deviation + chosen_2_s3;  // otsu.h:289
     wire [18:0] chosen_3 = value_10_s1 ? 19'd0 : histogram_data_2;  // otsu.h:289
@@ -496,8 +495,7 @@ module otsu (
     wire [19:0] difference = {1'd0, total_2} - {1'd0, below_2};  // otsu.h:294
     wire [19:0] value_17 = difference;  // otsu.h:294
     wire [35:0] product_2 = {17'd0, below_2_s2} * {{16{value_17_s2[19]}}, value_17_s2};  // otsu.h:294
-    wire [43:0] both_4 = deviation_2 & 44'hFFFFFFFFFFF;  // otsu.h:296
-    wire [43:0] operand = value_10_s3 ? {8'd0, product_2_s3} : both_4;  // otsu.h:296
+    wire [43:0] operand = value_10_s3 ? {8'd0, product_2_s3} : deviation_2;  // otsu.h:296
     wire test_6 = operand < 44'd4096;  // otsu.h:87
     wire [43:0] shifted_2 = {operand[11:0], 32'd0};  // otsu.h:87
     wire [43:0] mantissa = test_6 ? shifted_2 : operand;  // otsu.h:87
@@ -532,12 +530,10 @@ module otsu (
     wire [30:0] word_data = word_q;  // otsu.h:107
     wire [18:0] shifted_8 = word_data[30:12];  // otsu.h:108
     wire [11:0] value_25 = word_data[11:0];  // otsu.h:111
-    wire [11:0] both_5 = value_25 & 12'd4095;  // otsu.h:111
     wire [12:0] both_6 = mantissa_7[12:0] & 13'd8191;  // otsu.h:111
-    wire [24:0] product_3 = {13'd0, both_5} * {12'd0, both_6_s6};  // otsu.h:111
+    wire [24:0] product_3 = {13'd0, value_25} * {12'd0, both_6_s6};  // otsu.h:111
     wire [24:0] shifted_9 = {exponent_5, 19'd0};  // otsu.h:112
-    wire [18:0] both_7 = shifted_8 & 19'd524287;  // otsu.h:112
-    wire [24:0] either = {6'd0, both_7} | shifted_9_s6;  // otsu.h:112
+    wire [24:0] either = {6'd0, shifted_8} | shifted_9_s6;  // otsu.h:112
     wire [11:0] shifted_10 = product_3[24:13];  // otsu.h:112
     wire [24:0] sum_9 = either + {13'd0, shifted_10};  // otsu.h:112
     wire test_12 = count_5 != 19'd0;  // otsu.h:300
@@ -578,33 +574,23 @@ module otsu (
     wire [43:0] contenders_1_data = contenders_1_q;  // otsu.h:204
     wire [35:0] contenders_2_data = contenders_2_q;  // otsu.h:204
     wire [16:0] value_35 = contenders_1_data[16:0];  // otsu.h:148
-    wire [16:0] both_15 = value_35 & 17'd131071;  // otsu.h:148
     wire [16:0] shifted_12 = contenders_1_data[33:17];  // otsu.h:149
-    wire [16:0] both_16 = shifted_12 & 17'd131071;  // otsu.h:149
     wire [9:0] shifted_13 = contenders_1_data[43:34];  // otsu.h:150
-    wire [9:0] both_17 = shifted_13 & 10'd1023;  // otsu.h:150
     wire [16:0] value_39 = contenders_2_data[16:0];  // otsu.h:148
-    wire [16:0] both_18 = value_39 & 17'd131071;  // otsu.h:148
     wire [16:0] shifted_14 = contenders_2_data[33:17];  // otsu.h:149
-    wire [16:0] both_19 = shifted_14 & 17'd131071;  // otsu.h:149
     wire [1:0] shifted_15 = contenders_2_data[35:34];  // otsu.h:150
-    wire [1:0] both_20 = shifted_15 & 2'd3;  // otsu.h:150
 
     // otsu.h:157:3: loop for_9, II = 1, 2 stages
-    wire [3:0] both_21 = at_7 & 4'd15;  // otsu.h:132
-    wire [4:0] difference_3 = {1'd0, both_21} - {3'd0, at_6};  // otsu.h:132
+    wire [4:0] difference_3 = {1'd0, at_7} - {3'd0, at_6};  // otsu.h:132
     wire test_19 = difference_3 < 5'd3;  // otsu.h:133
     wire [1:0] value_46 = difference_3[1:0];  // otsu.h:134
     wire [16:0] deviation_3_data = deviation_3[at_6];  // otsu.h:134
-    wire [16:0] both_22 = deviation_3_data & 17'd131071;  // otsu.h:134
     wire [16:0] deviation_3_data_2 = deviation_3[value_46];  // otsu.h:134
-    wire [16:0] both_23 = deviation_3_data_2 & 17'd131071;  // otsu.h:134
-    wire [33:0] product_4 = {17'd0, both_22} * {17'd0, both_23};  // otsu.h:134
+    wire [33:0] product_4 = {17'd0, deviation_3_data} * {17'd0, deviation_3_data_2};  // otsu.h:134
     wire [33:0] chosen_8 = test_19 ? product_4 : 34'd0;  // otsu.h:160
     wire [35:0] sum_15 = sum_14 + {2'd0, chosen_8_s1};  // otsu.h:160
     wire test_20 = at_6 == 2'd2;  // otsu.h:126
     wire [16:0] value_50 = sum_15[16:0];  // otsu.h:162
-    wire [16:0] both_24 = value_50 & 17'd131071;  // otsu.h:162
     wire [2:0] both_25 = at_7[2:0] & 3'd7;  // otsu.h:162
     wire [18:0] shifted_16 = sum_15[35:17];  // otsu.h:163
     wire [35:0] sum_16 = test_20_s1 ? {17'd0, shifted_16} : sum_15;  // otsu.h:162
@@ -618,22 +604,17 @@ module otsu (
     wire test_22 = i == 9'd0;  // otsu.h:209
 
     // otsu.h:177:3: loop for_11, II = 1, 3 stages
-    wire [3:0] both_27 = at_10 & 4'd15;  // otsu.h:132
-    wire [4:0] difference_4 = {1'd0, both_27} - {3'd0, at_9};  // otsu.h:132
+    wire [4:0] difference_4 = {1'd0, at_10} - {3'd0, at_9};  // otsu.h:132
     wire test_23 = difference_4 < 5'd6;  // otsu.h:133
     wire [2:0] value_56 = difference_4[2:0];  // otsu.h:134
     wire [16:0] best_denominator_data = best_denominator[at_9];  // otsu.h:134
-    wire [16:0] both_28 = best_denominator_data & 17'd131071;  // otsu.h:134
     wire [16:0] numerator_data = numerator_q;  // otsu.h:134
-    wire [16:0] both_29 = numerator_data & 17'd131071;  // otsu.h:134
-    wire [33:0] product_5 = {17'd0, both_28_s1} * {17'd0, both_29};  // otsu.h:134
+    wire [33:0] product_5 = {17'd0, best_denominator_data_s1} * {17'd0, numerator_data};  // otsu.h:134
     wire [33:0] chosen_9 = test_23_s1 ? product_5 : 34'd0;  // otsu.h:180
     wire [35:0] sum_18 = a_sum + {2'd0, chosen_9_s2};  // otsu.h:180
     wire [16:0] denominator_data = denominator[at_9];  // otsu.h:134
-    wire [16:0] both_30 = denominator_data & 17'd131071;  // otsu.h:134
     wire [16:0] best_numerator_data = best_numerator_q;  // otsu.h:134
-    wire [16:0] both_31 = best_numerator_data & 17'd131071;  // otsu.h:134
-    wire [33:0] product_6 = {17'd0, both_30_s1} * {17'd0, both_31};  // otsu.h:134
+    wire [33:0] product_6 = {17'd0, denominator_data_s1} * {17'd0, best_numerator_data};  // otsu.h:134
     wire [33:0] chosen_10 = test_23_s1 ? product_6 : 34'd0;  // otsu.h:181
     wire [35:0] sum_19 = b_sum + {2'd0, chosen_10_s2};  // otsu.h:181
     wire test_24 = at_9 == 2'd2;  // otsu.h:126
@@ -650,8 +631,7 @@ module otsu (
     wire [3:0] at_11 = at_10 + {3'd0, test_24};  // otsu.h:138
     wire [1:0] sum_20 = at_9 + 2'd1;  // otsu.h:139
     wire [1:0] extract_5 = test_24 ? 2'd0 : sum_20;  // otsu.h:177
-    wire [3:0] both_33 = at_11 & 4'd15;  // otsu.h:177
-    wire test_27 = both_33 > 4'd8;  // otsu.h:177
+    wire test_27 = at_11 > 4'd8;  // otsu.h:177
 
     // otsu.h:190:10: ZN9floorline9otsu_scan7greaterEPK7ap_uintILi17EES4_S4_S4
 
@@ -735,7 +715,7 @@ module otsu (
         .clk(clk),
         .write_enable(cond_active[7] & cond_ce & both_12),
         .write_address(both_13),
-        .write_data(both_4_s7),
+        .write_data(deviation_2_s7),
         .read_enable((state == S_FOR_8_0) & ~stall),
         .read_address(value_34),
         .read_data(contenders_1_q)
@@ -763,7 +743,7 @@ module otsu (
         .clk(clk),
         .write_enable(for_9_active[1] & for_9_ce & test_20_s1),
         .write_address(both_25_s1),
-        .write_data(both_24),
+        .write_data(value_50),
         .read_enable((for_11_active[0] & for_11_ce) | (for_12_active[0] & for_12_ce)),
         .read_address(for_11_active[0] ? value_56 : limb),
         .read_data(numerator_q)
@@ -973,12 +953,12 @@ module otsu (
     always @(posedge clk) begin
         if ((state == S_ZN9FLOORLINE9OTSU_SCAN14BEST_CONTENDERINS0_6WIDTHSILM307200EEEEE7AP_UINTILI8EEPKNS0_9CONTENDERIT_EES4_ILI9EE_2) & ~stall) threshold <= value_68;
         if (cond_active[5] & cond_ce) word_q <= word_at(shifted_7);
-        if ((state == S_FOR_8_1) & ~stall) deviation_3[2'd0] <= both_15;
-        if ((state == S_FOR_8_1) & ~stall) deviation_3[2'd1] <= both_16;
-        if ((state == S_FOR_8_1) & ~stall) deviation_3[2'd2] <= {7'd0, both_17};
-        if ((state == S_FOR_8_1) & ~stall) denominator[2'd0] <= both_18;
-        if ((state == S_FOR_8_1) & ~stall) denominator[2'd1] <= both_19;
-        if ((state == S_FOR_8_1) & ~stall) denominator[2'd2] <= {15'd0, both_20};
+        if ((state == S_FOR_8_1) & ~stall) deviation_3[2'd0] <= value_35;
+        if ((state == S_FOR_8_1) & ~stall) deviation_3[2'd1] <= shifted_12;
+        if ((state == S_FOR_8_1) & ~stall) deviation_3[2'd2] <= {7'd0, shifted_13};
+        if ((state == S_FOR_8_1) & ~stall) denominator[2'd0] <= value_39;
+        if ((state == S_FOR_8_1) & ~stall) denominator[2'd1] <= shifted_14;
+        if ((state == S_FOR_8_1) & ~stall) denominator[2'd2] <= {15'd0, shifted_15};
         if (for_12_active[0] & for_12_ce & test_28) best_denominator[limb[1:0]] <= denominator_data_2;
         if ((state == S_ENTRY) & ~stall) at_q <= at;
         if (cond_active[7] & cond_ce) contender_count_3_q <= contender_count_3;
@@ -1007,10 +987,14 @@ module otsu (
             value_10_s5 <= value_10_s4;
             value_10_s6 <= value_10_s5;
             differs_2_s1 <= differs_2;
-            both_3_s2 <= both_3;
+            histogram_data_2_s2 <= histogram_data_2;
             value_14_s1 <= value_14;
             value_14_s2 <= value_14_s1;
             chosen_2_s3 <= chosen_2;
+            deviation_2_s4 <= deviation_2;
+            deviation_2_s5 <= deviation_2_s4;
+            deviation_2_s6 <= deviation_2_s5;
+            deviation_2_s7 <= deviation_2_s6;
             below_2_s2 <= below_2;
             value_17_s2 <= value_17;
             product_2_s3 <= product_2;
@@ -1018,10 +1002,6 @@ module otsu (
             product_2_s5 <= product_2_s4;
             product_2_s6 <= product_2_s5;
             product_2_s7 <= product_2_s6;
-            both_4_s4 <= both_4;
-            both_4_s5 <= both_4_s4;
-            both_4_s6 <= both_4_s5;
-            both_4_s7 <= both_4_s6;
             mantissa_s4 <= mantissa;
             test_7_s4 <= test_7;
             extract_3_s4 <= extract_3;
@@ -1064,9 +1044,9 @@ module otsu (
         end
         if (for_11_ce) begin
             test_23_s1 <= test_23;
-            both_28_s1 <= both_28;
+            best_denominator_data_s1 <= best_denominator_data;
             chosen_9_s2 <= chosen_9;
-            both_30_s1 <= both_30;
+            denominator_data_s1 <= denominator_data;
             chosen_10_s2 <= chosen_10;
             test_24_s1 <= test_24;
             test_24_s2 <= test_24_s1;
