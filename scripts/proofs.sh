@@ -26,10 +26,10 @@ prove() {
 
     run "$name" elaborate yosys -q -p "$design; write_smt2 -wires $work/$name.smt2; delete t:\$cover; opt -full; techmap; opt_clean; \
         dffunmap; setundef -undriven -anyseq; abc -g AND; dffunmap; opt_clean; write_aiger -zinit $work/$name.aig"
-    run "$name" 'bounded check' yosys-smtbmc -s z3 -t "$steps" "$work/$name.smt2"
-    run "$name" reachability yosys-abc -c "read $work/$name.aig; fold; strash; pdr"
+    [ "$steps" = - ] || run "$name" 'bounded check' yosys-smtbmc -s z3 -t "$steps" "$work/$name.smt2"
+    run "$name" reachability yosys-abc -c "read $work/$name.aig; fold; strash; scorr; pdr"
     grep -q '^Property proved' "$work/log" || { cat "$work/log" >&2; fail "proof '$name': property-directed reachability did not prove it."; }
-    run "$name" cover yosys-smtbmc -s z3 -c -t 40 "$work/$name.smt2"
+    [ "$steps" = - ] || run "$name" cover yosys-smtbmc -s z3 -c -t 40 "$work/$name.smt2"
     printf '%s\tproved\t%d\n' "$name" $((SECONDS - started))
 }
 
