@@ -18,8 +18,11 @@ namespace fs = std::filesystem;
 
 constexpr int kSeconds = 30;
 
-/// `file:3:12: error: sentence` -> `3:12: sentence`; of several lines the first with an error.
-std::string bare_message(const std::string& text) {
+/// `file:3:12: error: sentence` -> `3:12: sentence`, of several lines the first with an error; the case's own
+/// directory is left out.
+std::string bare_message(std::string text, const fs::path& kernel) {
+  const std::string directory = kernel.parent_path().string() + "/";
+  for (std::size_t at; (at = text.find(directory)) != std::string::npos;) text.erase(at, directory.size());
   static const std::regex kForm("(?:[^:\n]*:(\\d+:(?:\\d+:)? ))?(?:fatal )?(?:error|warning): ([^\n]*)");
   std::smatch match;
   if (!std::regex_search(text, match, kForm)) return text.substr(0, text.find('\n'));
@@ -43,10 +46,11 @@ int compile_into(const fs::path& kernel, const fs::path& work, bool strict) {
     options.strict = strict;
     CompileResult result = compile(options);
     for (const GeneratedFile& file : result.files) std::ofstream(work / file.name) << file.text;
-    for (const std::string& warning : result.diagnostics.warnings) messages << bare_message(warning) << "\n";
+    for (const std::string& warning : result.diagnostics.warnings)
+      messages << bare_message(warning, kernel) << "\n";
     return static_cast<int>(Outcome::kPass);
   } catch (const std::exception& refusal) {
-    messages << bare_message(refusal.what()) << "\n";
+    messages << bare_message(refusal.what(), kernel) << "\n";
     return static_cast<int>(Outcome::kRefused);
   }
 }
