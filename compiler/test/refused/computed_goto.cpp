@@ -6,3 +6,4 @@ one:
 two:
   return 2;
 }
+// error: 3:9: only integers can be loaded and stored here; pointers and floating point have no hardware form

@@ -14,3 +14,4 @@ void dataflow_loop_carried(const int a[8], int c[8], int d[8]) {
   second(b, c);
   third(b, d);
 }
+// error: 15:3: array 'b' has two readers; give each pair of processes an array of its own

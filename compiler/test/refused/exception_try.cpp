@@ -9,3 +9,4 @@ int exception_try(int x) {
     return e;
   }
 }
+// error: 2:15: cannot use 'throw' with exceptions disabled

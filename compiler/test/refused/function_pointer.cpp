@@ -4,3 +4,4 @@ int function_pointer(int x, int which) {
   int (*chosen[2])(int) = {twice, thrice};
   return chosen[which & 1](x);
 }
+// error: 4:9: only integers can be loaded and stored here; pointers and floating point have no hardware form

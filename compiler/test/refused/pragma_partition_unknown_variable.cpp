@@ -3,3 +3,4 @@ int pragma_partition_unknown_variable(int x) {
 #pragma HLS ARRAY_PARTITION variable=b complete
   return a[x & 3];
 }
+// error: 3:38: use of undeclared identifier 'b'

@@ -12,3 +12,4 @@ void stream_two_producers(hls::stream<int>& out, int n) {
   produce(s, n + 1);
   consume(s, out);
 }
+// error: 12:3: stream 's' has two writers; give each process a stream of its own

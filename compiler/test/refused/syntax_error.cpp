@@ -1,1 +1,2 @@
 int syntax_error(int x) { return x + ; }
+// error: 1:38: expected expression

@@ -3,3 +3,4 @@ int thread_local_state(int x) {
   sum += x;
   return sum;
 }
+// error: 3:3: 'llvm.threadlocal.address.p0' has no hardware form; write it with integer operations

@@ -3,3 +3,4 @@ int variable_length_array(int n) {
   for (int i = 0; i < (n & 15); ++i) a[i] = i;
   return a[0];
 }
+// error: 3:43: 'vla' is accessed with a subscript but is no array

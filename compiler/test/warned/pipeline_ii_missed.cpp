@@ -8,3 +8,4 @@ int pipeline_ii_missed(const int a[16]) {
   }
   return sum;
 }
+// warning: 5:3: II = 1 is not reached, II is 2: the read port of 'a' is used at pipeline_ii_missed.cpp:7:12, pipeline_ii_missed.cpp:7:19; partition the array or access it once an iteration

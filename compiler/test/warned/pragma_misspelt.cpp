@@ -8,3 +8,4 @@ int pragma_misspelt(int a) {
   }
   return sum;
 }
+// warning: 6:9: pragma 'PIPLINE' is not known and has no effect
