@@ -59,38 +59,38 @@ module cluster (
     reg [1:0] i;
     reg [7:0] here;
     reg [1:0] for_4_active;  // stages at work
-    reg [15:0] obstacle_2;
-    reg [15:0] obstacle_3;
-    reg [31:0] obstacle_4;
-    reg [31:0] obstacle_5;
-    reg [7:0] obstacle_6;
-    reg [15:0] obstacle_7;
+    reg [11:0] obstacle_2;
+    reg [11:0] obstacle_3;
+    reg [23:0] obstacle_4;
+    reg [23:0] obstacle_5;
+    reg obstacle_6;
+    reg [12:0] obstacle_7;
     reg [8:0] line_3;
     reg [1:0] for_8_active;  // stages at work
     wire [8:0] candidates_7_q;
-    wire [31:0] candidates_4_q;
-    wire [31:0] candidates_3_q;
-    wire [15:0] candidates_0_q;
-    wire [15:0] candidates_1_q;
-    wire [15:0] candidates_2_q;
-    wire [7:0] candidates_5_q;
+    wire [23:0] candidates_4_q;
+    wire [23:0] candidates_3_q;
+    wire [12:0] candidates_0_q;
+    wire [11:0] candidates_1_q;
+    wire [11:0] candidates_2_q;
+    wire candidates_5_q;
     wire [7:0] candidates_6_q;
-    reg [7:0] before_0 [0:2];
-    reg [31:0] before_2 [0:2];
-    reg [31:0] before_3 [0:2];
+    reg before_0 [0:2];
+    reg [16:0] before_2 [0:2];
+    reg [16:0] before_3 [0:2];
     reg [7:0] before_4 [0:2];
-    reg [7:0] before_1_0 [0:2];
-    reg [7:0] before_1_1 [0:2];
-    reg [7:0] before_1_2 [0:2];
+    reg before_1_0 [0:2];
+    reg before_1_1 [0:2];
+    reg before_1_2 [0:2];
     reg [33:0] squared_gap_q;
     reg [94:0] points_data_q;
     reg [6:0] value_25_q;
-    reg [15:0] candidates_0_data_q;
-    reg [15:0] candidates_1_data_q;
-    reg [15:0] candidates_2_data_q;
-    reg [31:0] candidates_3_data_2_q;
-    reg [31:0] candidates_4_data_2_q;
-    reg [7:0] candidates_5_data_q;
+    reg [12:0] candidates_0_data_q;
+    reg [11:0] candidates_1_data_q;
+    reg [11:0] candidates_2_data_q;
+    reg [23:0] candidates_3_data_2_q;
+    reg [23:0] candidates_4_data_2_q;
+    reg candidates_5_data_q;
     reg [7:0] candidates_6_data_q;
     reg test_4_q;
     reg [16:0] shifted_11_q;
@@ -100,8 +100,8 @@ module cluster (
     reg [16:0] value_27_q;
     reg [7:0] here_2_q;
     reg [6:0] value_36_q;
-    reg [31:0] candidates_3_data_3_q;
-    reg [31:0] candidates_4_data_3_q;
+    reg [23:0] candidates_3_data_3_q;
+    reg [23:0] candidates_4_data_3_q;
     reg [8:0] candidates_7_data_3_q;
     reg [34:0] sum_5_q;
     reg [34:0] sum_6_q;
@@ -144,7 +144,8 @@ module cluster (
     reg shifted_10_s2;
     reg point_22_s1;
     reg point_22_s2;
-    reg [34:0] sum_3_s1;
+    reg [34:0] product_5_s1;
+    reg [34:0] product_6_s1;
     reg before_0_data_s1;
     reg [7:0] before_4_data_s1;
     reg test_6_s1;
@@ -159,7 +160,7 @@ module cluster (
 
     // cluster.h:79:34: entry
     wire [16:0] coarse_gap = gap[23:7];  // cluster.h:79
-    wire [33:0] squared_gap = {17'd0, coarse_gap} * {17'd0, coarse_gap};  // cluster.h:80
+    wire [33:0] squared_gap = coarse_gap * coarse_gap;  // cluster.h:80
     wire [94:0] points_data = points_dout;  // cluster.h:82
     wire point = $signed(points_data) < $signed(95'd0);
 
@@ -176,8 +177,8 @@ module cluster (
     wire [6:0] value_8 = point_15[6:0];  // cluster.h:85
     wire [8:0] candidates_7_data = candidates_7_q;  // cluster.h:85
     wire test = candidates_7_data == 9'd0;  // cluster.h:86
-    wire [23:0] candidates_4_data = candidates_4_q[23:0];  // cluster.h:85
-    wire [23:0] candidates_3_data = candidates_3_q[23:0];  // cluster.h:85
+    wire [23:0] candidates_4_data = candidates_4_q;  // cluster.h:85
+    wire [23:0] candidates_3_data = candidates_3_q;  // cluster.h:85
     wire [16:0] shifted = point_14[23:7];  // cluster.h:56
     wire [16:0] shifted_2 = point_13[23:7];  // cluster.h:56
     wire [16:0] value_11 = shifted;  // cluster.h:61
@@ -209,12 +210,12 @@ module cluster (
 
     // cluster.h:105:38: for_3
     wire [6:0] value_25 = line_2[6:0];  // cluster.h:105
-    wire [15:0] candidates_0_data = candidates_0_q;  // cluster.h:105
-    wire [15:0] candidates_1_data = candidates_1_q;  // cluster.h:105
-    wire [15:0] candidates_2_data = candidates_2_q;  // cluster.h:105
-    wire [31:0] candidates_3_data_2 = candidates_3_q;  // cluster.h:105
-    wire [31:0] candidates_4_data_2 = candidates_4_q;  // cluster.h:105
-    wire [7:0] candidates_5_data = candidates_5_q;  // cluster.h:105
+    wire [12:0] candidates_0_data = candidates_0_q;  // cluster.h:105
+    wire [11:0] candidates_1_data = candidates_1_q;  // cluster.h:105
+    wire [11:0] candidates_2_data = candidates_2_q;  // cluster.h:105
+    wire [23:0] candidates_3_data_2 = candidates_3_q;  // cluster.h:105
+    wire [23:0] candidates_4_data_2 = candidates_4_q;  // cluster.h:105
+    wire candidates_5_data = candidates_5_q;  // cluster.h:105
     wire [7:0] candidates_6_data = candidates_6_q;  // cluster.h:105
     wire [8:0] candidates_7_data_2 = candidates_7_q;  // cluster.h:105
     wire test_4 = candidates_7_data_2 != 9'd0;  // cluster.h:106
@@ -225,25 +226,19 @@ module cluster (
     wire [16:0] value_27 = shifted_12;
 
     // cluster.h:108:5: loop for_4, II = 1, 2 stages
-    wire [31:0] before_2_data_wide = before_2[i];
-    wire [31:0] before_2_data_wide_2 = before_2[i];
-    wire [16:0] before_2_data = before_2_data_wide_2[16:0];  // cluster.h:109
+    wire [16:0] before_2_data = before_2[i];  // cluster.h:109
     wire [16:0] value_29 = before_2_data;  // cluster.h:109
     wire [17:0] difference = {{1{value_26_q[16]}}, value_26_q} - {{1{value_29[16]}}, value_29};  // cluster.h:109
     wire [17:0] value_30 = difference;  // cluster.h:61
-    wire [34:0] product_5 = {{17{value_30[17]}}, value_30} * {{17{value_30[17]}}, value_30};  // cluster.h:61
-    wire [31:0] before_3_data_wide = before_3[i];
-    wire [31:0] before_3_data_wide_2 = before_3[i];
-    wire [16:0] before_3_data = before_3_data_wide_2[16:0];  // cluster.h:109
+    wire [34:0] product_5 = $signed(value_30) * $signed(value_30);  // cluster.h:61
+    wire [16:0] before_3_data = before_3[i];  // cluster.h:109
     wire [16:0] value_32 = before_3_data;  // cluster.h:109
     wire [17:0] difference_2 = {{1{value_27_q[16]}}, value_27_q} - {{1{value_32[16]}}, value_32};  // cluster.h:109
     wire [17:0] value_33 = difference_2;  // cluster.h:61
-    wire [34:0] product_6 = {{17{value_33[17]}}, value_33} * {{17{value_33[17]}}, value_33};  // cluster.h:61
-    wire [34:0] sum_3 = product_5 + product_6;  // cluster.h:61
-    wire test_5 = sum_3_s1 <= {1'd0, squared_gap_q};  // cluster.h:109
-    wire [7:0] before_0_data_wide = before_0[i];
-    wire [7:0] before_0_data_wide_2 = before_0[i];
-    wire before_0_data = before_0_data_wide_2[0];  // cluster.h:110
+    wire [34:0] product_6 = $signed(value_33) * $signed(value_33);  // cluster.h:61
+    wire [34:0] sum_3 = product_5_s1 + product_6_s1;  // cluster.h:61
+    wire test_5 = sum_3 <= {1'd0, squared_gap_q};  // cluster.h:109
+    wire before_0_data = before_0[i];  // cluster.h:110
     wire brmerge = before_0_data_s1 & test_5;  // cluster.h:110
     wire both_4 = test_4_q & brmerge;  // cluster.h:110
     wire [7:0] before_4_data = before_4[i];  // cluster.h:110
@@ -257,8 +252,8 @@ module cluster (
 
     // cluster.h:113:43: if_2
     wire [6:0] value_36 = here_2_q[6:0];  // cluster.h:113
-    wire [31:0] candidates_3_data_3 = candidates_3_q;  // cluster.h:113
-    wire [31:0] candidates_4_data_3 = candidates_4_q;  // cluster.h:113
+    wire [23:0] candidates_3_data_3 = candidates_3_q;  // cluster.h:113
+    wire [23:0] candidates_4_data_3 = candidates_4_q;  // cluster.h:113
     wire [8:0] candidates_7_data_3 = candidates_7_q;  // cluster.h:113
     wire [16:0] value_37 = shifted_11_q;  // cluster.h:61
     wire [33:0] product_7 = $signed(value_37) * $signed(value_37);  // cluster.h:61
@@ -275,30 +270,30 @@ module cluster (
     wire nearer = sum_5_q < sum_6_q;  // cluster.h:114
 
     // cluster.h:113:32: cond
-    wire [7:0] candidates_5_data_2 = candidates_5_q;  // cluster.h:113
-    wire [15:0] candidates_2_data_2 = candidates_2_q;  // cluster.h:113
-    wire [15:0] candidates_1_data_2 = candidates_1_q;  // cluster.h:113
-    wire [15:0] candidates_0_data_2 = candidates_0_q;  // cluster.h:113
+    wire candidates_5_data_2 = candidates_5_q;  // cluster.h:113
+    wire [11:0] candidates_2_data_2 = candidates_2_q;  // cluster.h:113
+    wire [11:0] candidates_1_data_2 = candidates_1_q;  // cluster.h:113
+    wire [12:0] candidates_0_data_2 = candidates_0_q;  // cluster.h:113
 
     // cluster.h:115:28: ZN9ap_detail7integerI7ap_uintILi9EEEENS_7IntegerIT_E4typeERKS4
     wire [8:0] sum_7 = candidates_7_data_3_q + 9'd1;  // cluster.h:117
 
     // cluster.h:125:17: for_6
-    wire [7:0] before_0_data_2 = before_0[2'd1];  // cluster.h:125
-    wire [1:0] index = 2'd1 * 2'd1;  // cluster.h:125
-    wire [7:0] before_1_0_data = before_1_0[index];  // cluster.h:125
-    wire [1:0] index_2 = 2'd2 * 2'd1;  // cluster.h:125
-    wire [7:0] before_1_1_data = before_1_1[index];  // cluster.h:125
-    wire [7:0] before_1_2_data = before_1_2[index];  // cluster.h:125
-    wire [31:0] before_2_data_2 = before_2[2'd1];  // cluster.h:125
-    wire [31:0] before_3_data_2 = before_3[2'd1];  // cluster.h:125
+    wire before_0_data_2 = before_0[2'd1];  // cluster.h:125
+    wire [1:0] index = 1'd1 * 1'd1;  // cluster.h:125
+    wire before_1_0_data = before_1_0[index];  // cluster.h:125
+    wire [1:0] index_2 = 2'd2 * 1'd1;  // cluster.h:125
+    wire before_1_1_data = before_1_1[index];  // cluster.h:125
+    wire before_1_2_data = before_1_2[index];  // cluster.h:125
+    wire [16:0] before_2_data_2 = before_2[2'd1];  // cluster.h:125
+    wire [16:0] before_3_data_2 = before_3[2'd1];  // cluster.h:125
     wire [7:0] before_4_data_2 = before_4[2'd1];  // cluster.h:125
-    wire [7:0] before_0_data_3 = before_0[2'd0];  // cluster.h:125
-    wire [7:0] before_1_0_data_2 = before_1_0[2'd0];  // cluster.h:125
-    wire [7:0] before_1_1_data_2 = before_1_1[2'd0];  // cluster.h:125
-    wire [7:0] before_1_2_data_2 = before_1_2[2'd0];  // cluster.h:125
-    wire [31:0] before_2_data_3 = before_2[2'd0];  // cluster.h:125
-    wire [31:0] before_3_data_3 = before_3[2'd0];  // cluster.h:125
+    wire before_0_data_3 = before_0[2'd0];  // cluster.h:125
+    wire before_1_0_data_2 = before_1_0[2'd0];  // cluster.h:125
+    wire before_1_1_data_2 = before_1_1[2'd0];  // cluster.h:125
+    wire before_1_2_data_2 = before_1_2[2'd0];  // cluster.h:125
+    wire [16:0] before_2_data_3 = before_2[2'd0];  // cluster.h:125
+    wire [16:0] before_3_data_3 = before_3[2'd0];  // cluster.h:125
     wire [7:0] before_4_data_3 = before_4[2'd0];  // cluster.h:125
     wire [8:0] sum_8 = line_2 + 9'd1;  // cluster.h:103
     wire test_8 = sum_8 < line_count;  // cluster.h:103
@@ -310,13 +305,13 @@ module cluster (
     wire test_10 = candidates_7_data_4 >= {1'd0, min_lines};  // cluster.h:134
     wire both_7 = test_9 & test_10;  // cluster.h:134
     wire [7:0] candidates_6_data_2 = candidates_6_q;  // cluster.h:133
-    wire candidates_5_data_3 = candidates_5_q[0];  // cluster.h:133
-    wire [23:0] candidates_4_data_4 = candidates_4_q[23:0];  // cluster.h:133
-    wire [23:0] candidates_3_data_4 = candidates_3_q[23:0];  // cluster.h:133
-    wire [11:0] candidates_2_data_3 = candidates_2_q[11:0];  // cluster.h:133
-    wire [11:0] candidates_1_data_3 = candidates_1_q[11:0];  // cluster.h:133
-    wire [12:0] candidates_0_data_3 = candidates_0_q[12:0];  // cluster.h:133
-    wire [7:0] both_8 = line_3[7:0] & 8'd255;  // cluster.h:137
+    wire candidates_5_data_3 = candidates_5_q;  // cluster.h:133
+    wire [23:0] candidates_4_data_4 = candidates_4_q;  // cluster.h:133
+    wire [23:0] candidates_3_data_4 = candidates_3_q;  // cluster.h:133
+    wire [11:0] candidates_2_data_3 = candidates_2_q;  // cluster.h:133
+    wire [11:0] candidates_1_data_3 = candidates_1_q;  // cluster.h:133
+    wire [12:0] candidates_0_data_3 = candidates_0_q;  // cluster.h:133
+    wire [7:0] both_8 = line_3[7:0];  // cluster.h:137
     wire [15:0] shifted_15 = {candidates_6_data_2, 8'd0};  // cluster.h:137
     wire [15:0] either_2 = shifted_15 | {8'd0, both_8_s1};  // cluster.h:137
     wire [28:0] shifted_16 = {candidates_0_data_3, 16'd0};  // cluster.h:137
@@ -338,33 +333,33 @@ module cluster (
 
     // memory candidates_7: 128 x 9
 
-    // memory candidates_4: 128 x 32
+    // memory candidates_4: 128 x 24
 
-    // memory candidates_3: 128 x 32
+    // memory candidates_3: 128 x 24
 
-    // memory candidates_0: 128 x 16
+    // memory candidates_0: 128 x 13
 
-    // memory candidates_1: 128 x 16
+    // memory candidates_1: 128 x 12
 
-    // memory candidates_2: 128 x 16
+    // memory candidates_2: 128 x 12
 
-    // memory candidates_5: 128 x 8
+    // memory candidates_5: 128 x 1
 
     // memory candidates_6: 128 x 8
 
-    // memory before_0: 3 x 8
+    // memory before_0: 3 x 1
 
-    // memory before_2: 3 x 32
+    // memory before_2: 3 x 17
 
-    // memory before_3: 3 x 32
+    // memory before_3: 3 x 17
 
     // memory before_4: 3 x 8
 
-    // memory before_1_0: 3 x 8
+    // memory before_1_0: 3 x 1
 
-    // memory before_1_1: 3 x 8
+    // memory before_1_1: 3 x 1
 
-    // memory before_1_2: 3 x 8
+    // memory before_1_2: 3 x 1
 
     assign stall = ((state == S_ENTRY) & ~points_empty_n) | ((state == S_FOR_10) & ~obstacles_full_n);
     assign while_3_ce = ~((while_3_active[0] & ~points_empty_n));
@@ -386,87 +381,87 @@ module cluster (
         if ((while_3_active[0] & while_3_ce) | ((state == S_FOR_3_0) & ~stall) | ((state == S_IF_2_0) & ~stall) | (for_8_active[0] & for_8_ce)) candidates_7_read <= candidates_7_words[while_3_active[0] ? value_8 : (state == S_FOR_3_0) ? value_25 : (state == S_IF_2_0) ? value_36 : value_42];
     end
 
-    reg [31:0] candidates_4_words [0:127];
-    reg [31:0] candidates_4_read;
+    reg [23:0] candidates_4_words [0:127];
+    reg [23:0] candidates_4_read;
     assign candidates_4_q = candidates_4_read;
     // synthesis translate_off
     integer candidates_4_index;
     initial
         for (candidates_4_index = 0; candidates_4_index < 128; candidates_4_index = candidates_4_index + 1)
-            candidates_4_words[candidates_4_index] = 32'd0;
+            candidates_4_words[candidates_4_index] = 24'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_4_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? {8'd0, point_13_s2} : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_5 : candidates_4_data_2_q;
+        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_4_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? point_13_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_5 : candidates_4_data_2_q;
         if ((while_3_active[0] & while_3_ce) | ((state == S_FOR_3_0) & ~stall) | ((state == S_IF_2_0) & ~stall) | (for_8_active[0] & for_8_ce)) candidates_4_read <= candidates_4_words[while_3_active[0] ? value_8 : (state == S_FOR_3_0) ? value_25 : (state == S_IF_2_0) ? value_36 : value_42];
     end
 
-    reg [31:0] candidates_3_words [0:127];
-    reg [31:0] candidates_3_read;
+    reg [23:0] candidates_3_words [0:127];
+    reg [23:0] candidates_3_read;
     assign candidates_3_q = candidates_3_read;
     // synthesis translate_off
     integer candidates_3_index;
     initial
         for (candidates_3_index = 0; candidates_3_index < 128; candidates_3_index = candidates_3_index + 1)
-            candidates_3_words[candidates_3_index] = 32'd0;
+            candidates_3_words[candidates_3_index] = 24'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_3_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? {8'd0, point_14_s2} : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_4 : candidates_3_data_2_q;
+        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_3_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? point_14_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_4 : candidates_3_data_2_q;
         if ((while_3_active[0] & while_3_ce) | ((state == S_FOR_3_0) & ~stall) | ((state == S_IF_2_0) & ~stall) | (for_8_active[0] & for_8_ce)) candidates_3_read <= candidates_3_words[while_3_active[0] ? value_8 : (state == S_FOR_3_0) ? value_25 : (state == S_IF_2_0) ? value_36 : value_42];
     end
 
-    reg [15:0] candidates_0_words [0:127];
-    reg [15:0] candidates_0_read;
+    reg [12:0] candidates_0_words [0:127];
+    reg [12:0] candidates_0_read;
     assign candidates_0_q = candidates_0_read;
     // synthesis translate_off
     integer candidates_0_index;
     initial
         for (candidates_0_index = 0; candidates_0_index < 128; candidates_0_index = candidates_0_index + 1)
-            candidates_0_words[candidates_0_index] = 16'd0;
+            candidates_0_words[candidates_0_index] = 13'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_0_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? {3'd0, point_9_s2} : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_7 : candidates_0_data_q;
+        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_0_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? point_9_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_7 : candidates_0_data_q;
         if (((state == S_FOR_3_0) & ~stall) | ((state == S_COND_0) & ~stall) | (for_8_active[0] & for_8_ce)) candidates_0_read <= candidates_0_words[(state == S_FOR_3_0) ? value_25 : (state == S_COND_0) ? value_36_q : value_42];
     end
 
-    reg [15:0] candidates_1_words [0:127];
-    reg [15:0] candidates_1_read;
+    reg [11:0] candidates_1_words [0:127];
+    reg [11:0] candidates_1_read;
     assign candidates_1_q = candidates_1_read;
     // synthesis translate_off
     integer candidates_1_index;
     initial
         for (candidates_1_index = 0; candidates_1_index < 128; candidates_1_index = candidates_1_index + 1)
-            candidates_1_words[candidates_1_index] = 16'd0;
+            candidates_1_words[candidates_1_index] = 12'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_1_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? {4'd0, point_10_s2} : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_2 : candidates_1_data_q;
+        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_1_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? point_10_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_2 : candidates_1_data_q;
         if (((state == S_FOR_3_0) & ~stall) | ((state == S_COND_0) & ~stall) | (for_8_active[0] & for_8_ce)) candidates_1_read <= candidates_1_words[(state == S_FOR_3_0) ? value_25 : (state == S_COND_0) ? value_36_q : value_42];
     end
 
-    reg [15:0] candidates_2_words [0:127];
-    reg [15:0] candidates_2_read;
+    reg [11:0] candidates_2_words [0:127];
+    reg [11:0] candidates_2_read;
     assign candidates_2_q = candidates_2_read;
     // synthesis translate_off
     integer candidates_2_index;
     initial
         for (candidates_2_index = 0; candidates_2_index < 128; candidates_2_index = candidates_2_index + 1)
-            candidates_2_words[candidates_2_index] = 16'd0;
+            candidates_2_words[candidates_2_index] = 12'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_2_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? {4'd0, point_11_s2} : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_3 : candidates_2_data_q;
+        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_2_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? point_11_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_3 : candidates_2_data_q;
         if (((state == S_FOR_3_0) & ~stall) | ((state == S_COND_0) & ~stall) | (for_8_active[0] & for_8_ce)) candidates_2_read <= candidates_2_words[(state == S_FOR_3_0) ? value_25 : (state == S_COND_0) ? value_36_q : value_42];
     end
 
-    reg [7:0] candidates_5_words [0:127];
-    reg [7:0] candidates_5_read;
+    reg candidates_5_words [0:127];
+    reg candidates_5_read;
     assign candidates_5_q = candidates_5_read;
     // synthesis translate_off
     integer candidates_5_index;
     initial
         for (candidates_5_index = 0; candidates_5_index < 128; candidates_5_index = candidates_5_index + 1)
-            candidates_5_words[candidates_5_index] = 8'd0;
+            candidates_5_words[candidates_5_index] = 1'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_5_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? {7'd0, point_12_s2} : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_6 : candidates_5_data_q;
+        if ((while_3_active[2] & while_3_ce & either) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) & ~stall) | ((state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_1) & ~stall)) candidates_5_words[while_3_active[2] & either ? value_8_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? value_36_q : value_25_q] <= while_3_active[2] & either ? point_12_s2 : (state == S_ZN9AP_DETAIL7INTEGERI7AP_UINTILI9EEEENS_7INTEGERIT_E4TYPEERKS4_0) ? obstacle_6 : candidates_5_data_q;
         if (((state == S_FOR_3_0) & ~stall) | ((state == S_COND_0) & ~stall) | (for_8_active[0] & for_8_ce)) candidates_5_read <= candidates_5_words[(state == S_FOR_3_0) ? value_25 : (state == S_COND_0) ? value_36_q : value_42];
     end
 
@@ -635,24 +630,24 @@ module cluster (
     end
 
     always @(posedge clk) begin
-        if ((state == S_WHILE_5) & ~stall) before_0[2'd0] <= 8'd0;
-        if ((state == S_WHILE_5) & ~stall) before_0[2'd1] <= 8'd0;
-        if ((state == S_WHILE_5) & ~stall) before_0[2'd2] <= 8'd0;
+        if ((state == S_WHILE_5) & ~stall) before_0[2'd0] <= 1'd0;
+        if ((state == S_WHILE_5) & ~stall) before_0[2'd1] <= 1'd0;
+        if ((state == S_WHILE_5) & ~stall) before_0[2'd2] <= 1'd0;
         if ((state == S_FOR_6_0) & ~stall) before_0[2'd2] <= before_0_data_2;
         if ((state == S_FOR_6_0) & ~stall) before_0[2'd1] <= before_0_data_3;
-        if ((state == S_FOR_6_0) & ~stall) before_0[2'd0] <= {7'd0, test_4_q};
-        if ((state == S_WHILE_5) & ~stall) before_2[2'd0] <= 32'd0;
-        if ((state == S_WHILE_5) & ~stall) before_2[2'd1] <= 32'd0;
-        if ((state == S_WHILE_5) & ~stall) before_2[2'd2] <= 32'd0;
+        if ((state == S_FOR_6_0) & ~stall) before_0[2'd0] <= test_4_q;
+        if ((state == S_WHILE_5) & ~stall) before_2[2'd0] <= 17'd0;
+        if ((state == S_WHILE_5) & ~stall) before_2[2'd1] <= 17'd0;
+        if ((state == S_WHILE_5) & ~stall) before_2[2'd2] <= 17'd0;
         if ((state == S_FOR_6_0) & ~stall) before_2[2'd2] <= before_2_data_2;
         if ((state == S_FOR_6_0) & ~stall) before_2[2'd1] <= before_2_data_3;
-        if ((state == S_FOR_6_0) & ~stall) before_2[2'd0] <= {15'd0, shifted_11_q};
-        if ((state == S_WHILE_5) & ~stall) before_3[2'd0] <= 32'd0;
-        if ((state == S_WHILE_5) & ~stall) before_3[2'd1] <= 32'd0;
-        if ((state == S_WHILE_5) & ~stall) before_3[2'd2] <= 32'd0;
+        if ((state == S_FOR_6_0) & ~stall) before_2[2'd0] <= shifted_11_q;
+        if ((state == S_WHILE_5) & ~stall) before_3[2'd0] <= 17'd0;
+        if ((state == S_WHILE_5) & ~stall) before_3[2'd1] <= 17'd0;
+        if ((state == S_WHILE_5) & ~stall) before_3[2'd2] <= 17'd0;
         if ((state == S_FOR_6_0) & ~stall) before_3[2'd2] <= before_3_data_2;
         if ((state == S_FOR_6_0) & ~stall) before_3[2'd1] <= before_3_data_3;
-        if ((state == S_FOR_6_0) & ~stall) before_3[2'd0] <= {15'd0, shifted_12_q};
+        if ((state == S_FOR_6_0) & ~stall) before_3[2'd0] <= shifted_12_q;
         if ((state == S_WHILE_5) & ~stall) before_4[2'd0] <= 8'd0;
         if ((state == S_WHILE_5) & ~stall) before_4[2'd1] <= 8'd0;
         if ((state == S_WHILE_5) & ~stall) before_4[2'd2] <= 8'd0;
@@ -730,7 +725,8 @@ module cluster (
             point_22_s2 <= point_22_s1;
         end
         if (for_4_ce) begin
-            sum_3_s1 <= sum_3;
+            product_5_s1 <= product_5;
+            product_6_s1 <= product_6;
             before_0_data_s1 <= before_0_data;
             before_4_data_s1 <= before_4_data;
             test_6_s1 <= test_6;

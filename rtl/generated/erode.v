@@ -104,7 +104,7 @@ module erode (
     wire [1:0] both_5 = bottom & top;  // erode.h:20
     wire [1:0] both_6 = both_5 & value_7;  // erode.h:20
     wire [1:0] both_7 = both_6 & 2'd2;  // erode.h:21
-    wire both_8 = value_7[0] & 1'd1;  // erode.h:21
+    wire both_8 = value_7[0];  // erode.h:21
     wire [1:0] either_3 = both_7 | {1'd0, both_8};  // erode.h:21
     wire test_10 = at_7 > 12'd1;  // window.h:54
     wire test_11 = at_6 != 12'd0;

@@ -32,7 +32,8 @@ module luma (
     reg [11:0] at_3;
     reg [1:0] for_3_active;  // stages at work
     reg [11:0] at_q;
-    reg [17:0] sum_2_s1;
+    reg [17:0] sum_s1;
+    reg [15:0] product_2_s1;
     reg [7:0] value_11_s1;
     reg test_3_s1;
 
@@ -59,8 +60,8 @@ module luma (
     wire [17:0] sum = both_3 + product;  // luma.h:23
     wire [8:0] value_9 = difference_2;  // luma.h:23
     wire [15:0] product_2 = $signed(value_9) * $signed(8'd117);  // luma.h:23
-    wire [17:0] sum_2 = sum + {{2{product_2[15]}}, product_2};  // luma.h:23
-    wire [17:0] sum_3 = sum_2_s1 + 18'd512;  // luma.h:23
+    wire [17:0] sum_2 = sum_s1 + {{2{product_2_s1[15]}}, product_2_s1};  // luma.h:23
+    wire [17:0] sum_3 = sum_2 + 18'd512;  // luma.h:23
     wire [7:0] shifted_4 = sum_3[17:10];  // luma.h:24
     wire [7:0] value_11 = in_data[7:0];  // luma.h:35
     wire [7:0] chosen = grey ? value_11_s1 : shifted_4;  // luma.h:35
@@ -120,7 +121,8 @@ module luma (
     always @(posedge clk) begin
         if ((state == S_ENTRY) & ~stall) at_q <= at;
         if (for_3_front_ce) begin
-            sum_2_s1 <= sum_2;
+            sum_s1 <= sum;
+            product_2_s1 <= product_2;
             value_11_s1 <= value_11;
             test_3_s1 <= test_3;
         end
