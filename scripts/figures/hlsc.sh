@@ -28,6 +28,10 @@ run messages compiler/test/refused
 line refused_cases $((passed + failed)) '>=' 40
 line refused_failures "$failed" '<=' 0
 
+run messages compiler/test/warned
+line warned_failures "$failed" '<=' 0
+line open_cases "$(find compiler/test/open -mindepth 2 -type f | wc -l)" '<=' 0
+
 record=$build/hlsc_fuzz_record
 version=$(find compiler rtl/lib hls/compat -type f -not -path 'compiler/test/*' | LC_ALL=C sort | xargs sha256sum | sha256sum | cut -d' ' -f1)
 if [ ! -f "$record" ] || [ "$(sed -n 1p "$record")" != "$version" ]; then

@@ -12,3 +12,4 @@ void pragma_bad_depth(hls::stream<int>& out, int n) {
   produce(s, n);
   consume(s, out);
 }
+// error: 11:9: depth of pragma 'STREAM' must be at least 0
