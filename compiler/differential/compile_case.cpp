@@ -21,8 +21,13 @@ constexpr int kSeconds = 30;
 /// `file:3:12: error: sentence` -> `3:12: sentence`, of several lines the first with an error; the case's own
 /// directory is left out.
 std::string bare_message(std::string text, const fs::path& kernel) {
-  const std::string directory = kernel.parent_path().string() + "/";
-  for (std::size_t at; (at = text.find(directory)) != std::string::npos;) text.erase(at, directory.size());
+  // The compiler names a file as it was given or relative to where it runs.
+  const std::string name = kernel.filename().string();
+  for (std::size_t at; (at = text.find("/" + name)) != std::string::npos;) {
+    const std::size_t path =
+        text.find_last_of(" \n", at) + 1;  // npos + 1 is 0: the text begins with the path.
+    text.erase(path, at + 1 - path);
+  }
   static const std::regex kForm("(?:[^:\n]*:(\\d+:(?:\\d+:)? ))?(?:fatal )?(?:error|warning): ([^\n]*)");
   std::smatch match;
   if (!std::regex_search(text, match, kForm)) return text.substr(0, text.find('\n'));
