@@ -3,7 +3,7 @@
 ///
 /// While a frame runs, each line keeps its best point: the one nearest to the robot, since that one decides
 /// where it may drive. At frame end the lines are scanned in order of their index. The point of a line joins
-/// the obstacle of the line next before it, among the REACH lines before, whose point lies within `gap` on
+/// the obstacle of the line next before it, among the three lines before, whose point lies within `gap` on
 /// the floor: an obstacle survives one or two lines without a point on it. Else it starts an obstacle of its
 /// own. Obstacles of at least `min_lines` lines with a point on them are reported, in the order of their
 /// first line; the representative is the point nearest to the robot, of equally near ones the first. The
@@ -24,8 +24,6 @@
 namespace floorline {
 namespace clustering {
 
-/// Lines back to which a point may join: 3 bridges one or two lines without a point.
-const int REACH = 3;
 
 typedef ap_int<17> Metres;          ///< Q8.9
 typedef ap_uint<35> SquaredMetres;  ///< Q17.18
@@ -43,7 +41,7 @@ struct Candidate {
   ap_uint<9> lines;  ///< Lines with a point on the obstacle; 0: no point, or it joined an obstacle before.
 };
 
-/// What the scan remembers of one of the REACH lines before.
+/// What the scan remembers of one of the three lines before.
 struct Neighbour {
   ap_uint<1> present;
   Metres x;
@@ -64,6 +62,13 @@ inline SquaredMetres squared_length(ap_int<18> x, ap_int<18> y) {
 inline SquaredMetres squared_range(ap_int<24> x, ap_int<24> y) {
 #pragma HLS INLINE
   return squared_length(coarse(x), coarse(y));
+}
+
+/// Puts `here` on the obstacle of a line before it that lies within the gap.
+inline void join(Neighbour& here, const Neighbour& before, SquaredMetres squared_gap) {
+#pragma HLS INLINE
+  const bool near = squared_length(here.x - before.x, here.y - before.y) <= squared_gap;
+  if (here.present && before.present && near) here.obstacle = before.obstacle;
 }
 
 }  // namespace clustering
@@ -90,25 +95,19 @@ SELECT:
     point = points.read();
   }
 
-  Neighbour before[REACH];
-FORGET:
-  for (int i = 0; i < REACH; ++i) {
-#pragma HLS UNROLL
-    before[i].present = 0;
-    before[i].x = 0;
-    before[i].y = 0;
-    before[i].obstacle = 0;
-  }
+  // The three lines before, the nearest first.
+  const Neighbour none = {0, 0, 0, 0};
+  Neighbour first = none;
+  Neighbour second = none;
+  Neighbour third = none;
 SCAN:
   for (ap_uint<9> line = 0; line < line_count; ++line) {
 #pragma HLS LOOP_TRIPCOUNT min = 128 max = 128
     Candidate candidate = candidates[line];
     Neighbour here = {candidate.lines != 0, coarse(candidate.x), coarse(candidate.y), LineIndex(line)};
-  NEIGHBOURS:
-    for (int i = REACH - 1; i >= 0; --i) {  // The next line before comes last and wins.
-      const bool near = squared_length(here.x - before[i].x, here.y - before[i].y) <= squared_gap;
-      if (here.present && before[i].present && near) here.obstacle = before[i].obstacle;
-    }
+    join(here, third, squared_gap);
+    join(here, second, squared_gap);
+    join(here, first, squared_gap);  // The next line before comes last and wins.
     if (here.present && here.obstacle != line) {
       const Candidate so_far = candidates[here.obstacle];
       const bool nearer = squared_range(candidate.x, candidate.y) < squared_range(so_far.x, so_far.y);
@@ -119,12 +118,9 @@ SCAN:
       candidate.lines = 0;
       candidates[line] = candidate;
     }
-  SHIFT:
-    for (int i = REACH - 1; i > 0; --i) {
-#pragma HLS UNROLL
-      before[i] = before[i - 1];
-    }
-    before[0] = here;
+    third = second;
+    second = first;
+    first = here;
   }
 
 REPORT:

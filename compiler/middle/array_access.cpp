@@ -1,5 +1,6 @@
 #include "middle/array_access.h"
 
+#include <llvm/ADT/SetVector.h>
 #include <llvm/IR/GetElementPtrTypeIterator.h>
 
 #include "middle/llvm_headers.h"
@@ -63,9 +64,8 @@ class SubscriptSeparator {
   };
 
   void follow(Value* pointer, const Offset& offset) {
-    SmallVector<User*, 16> users(pointer->users());
-    std::sort(users.begin(), users.end());
-    users.erase(std::unique(users.begin(), users.end()), users.end());
+    // In the order of use, not of addresses: the same source gives the same bytes.
+    SmallSetVector<User*, 16> users(pointer->user_begin(), pointer->user_end());
     for (User* user : users) {
       auto* instruction = dyn_cast<Instruction>(user);
       if (!instruction) {
