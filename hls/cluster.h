@@ -24,7 +24,6 @@
 namespace floorline {
 namespace clustering {
 
-
 typedef ap_int<17> Metres;          ///< Q8.9
 typedef ap_uint<35> SquaredMetres;  ///< Q17.18
 
