@@ -55,7 +55,6 @@ class Generator {
         break;
     }
     std::string header = "// top: fuzz_top\n// calls: 4\n";
-    for (const std::string& line : steering_) header += "// " + line + "\n";
     return header + "#include \"ap_fixed.h\"\n#include \"ap_int.h\"\n#include \"hls_stream.h\"\n\n" +
            helper_text_ + body;
   }
@@ -116,11 +115,7 @@ class Generator {
     return type.kind == Kind::kNative ? "(" + type.spelling + ")" : type.spelling;
   }
   std::string index_into(const Variable& array, int depth) {
-    return fmt::format("(unsigned)({}) & {}", value(native_integer(), depth - 1), array.elements - 1);
-  }
-  Type native_integer() {
-    Type type = native_type();
-    return type;
+    return fmt::format("(unsigned)({}) & {}", value(native_type(), depth - 1), array.elements - 1);
   }
   std::string read(const Variable& v, int depth) {
     return v.elements ? fmt::format("{}[{}]", v.name, index_into(v, depth)) : v.name;
@@ -133,8 +128,7 @@ class Generator {
   }
   static std::string convert(const std::string& text, const Type& from, const Type& to) {
     if (to.kind == Kind::kNative && from.kind != Kind::kNative)
-      return from.kind == Kind::kInteger ? fmt::format("({})({}).to_int64()", to.spelling, text)
-                                         : fmt::format("({})({}).to_int64()", to.spelling, text);
+      return fmt::format("({})({}).to_int64()", to.spelling, text);
     return fmt::format("{}({})", constructor(to), text);
   }
   std::string condition(int depth) {
@@ -318,7 +312,6 @@ class Generator {
     else if (inner && chance(40))
       line(chance(50) ? "#pragma HLS UNROLL" : fmt::format("#pragma HLS UNROLL factor={}", between(2, 3)));
     scope_.push_back({i, int_type(), 0, false});
-    ++loops_;
     block(between(1, 3), inner ? 0 : depth - 1);
     if (chance(20)) line(fmt::format("  if ({}) {};", condition(1), chance(50) ? "break" : "continue"));
     if (chance(30)) {
@@ -326,7 +319,6 @@ class Generator {
       assign();
       --indent_;
     }
-    --loops_;
     scope_.pop_back();
     line("}");
   }
@@ -475,10 +467,8 @@ class Generator {
   std::mt19937_64 random_;
   int counter_ = 0;
   int indent_ = 1;
-  int loops_ = 0;
   std::vector<Variable> scope_;
   std::vector<Function> functions_;
-  std::vector<std::string> steering_;
   std::string text_, helper_text_;
 };
 
