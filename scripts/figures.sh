@@ -4,10 +4,18 @@
 #   ./scripts/figures.sh            all areas
 #   ./scripts/figures.sh synth      one area
 #   ./scripts/figures.sh --write    all, and renew docs/figures.md
+#   ./scripts/figures.sh --fresh    all, measured anew even where records/ has the figure of these very sources (hours)
 source "$(dirname "$0")/common.sh"
 
 write=no
-[ "${1:-}" = --write ] && { write=yes; shift; }
+while [[ ${1:-} == --* ]]; do
+    case $1 in
+        --write) write=yes ;;
+        --fresh) export FLOORLINE_FRESH=yes ;;
+        *) fail "'$1' is no option; see the head of scripts/figures.sh." ;;
+    esac
+    shift
+done
 areas=("$@")
 [ ${#areas[@]} -gt 0 ] || for script in scripts/figures/*.sh; do areas+=("$(basename "$script" .sh)"); done
 
