@@ -1,0 +1,126 @@
+#include "design/process_builder.h"
+#include "middle/primitives.h"
+
+namespace hlsc {
+
+using namespace llvm;
+
+Address ProcessBuilder::decode(Value* pointer, const Instruction& access) {
+  if (is_element_address(pointer)) return decode_element(*cast<CallInst>(pointer), access);
+  APInt constant(64, 0);
+  MapVector<Value*, APInt> terms;
+  Value* base = pointer;
+  while (auto* gep = dyn_cast<GEPOperator>(base)) {
+    if (!gep->collectOffset(layout_, 64, terms, constant))
+      refuse(access, "this address has no simple form; use subscripts");
+    base = gep->getPointerOperand();
+  }
+  Address address;
+  address.object = &object_at(base, access);
+  last_object_pointer_ = base;
+  MemoryObject& object = *address.object;
+  int64_t stride = 0;
+  if (!object.leaves.empty() && !object.leaves[0].strides.empty()) stride = object.leaves[0].strides.back();
+  int64_t offset = constant.getSExtValue();
+  int64_t member = stride ? ((offset % stride) + stride) % stride : offset;
+  bool found = false;
+  for (size_t leaf = 0; leaf < object.leaves.size(); ++leaf)
+    if (static_cast<int64_t>(object.leaves[leaf].byte_offset) == member) {
+      address.leaf = leaf;
+      found = true;
+    }
+  if (!found)
+    refuse(access, "this access to '" + object.name +
+                       "' does not match one of its elements; use members and subscripts without casts");
+  check_width(object.leaves[address.leaf], access);
+  if (!stride) {
+    if (!terms.empty()) refuse(access, "'" + object.name + "' is accessed with a subscript but is no array");
+    return address;
+  }
+  address.is_linear = true;
+  ValueId index = constant_value(APInt(64, (offset - member) / stride, true));
+  for (auto& [value, scale] : terms) {
+    int64_t bytes = scale.getSExtValue();
+    if (bytes % stride)
+      refuse(access,
+             "this address in '" + object.name + "' is not a whole number of elements; use subscripts");
+    ValueId term = resized(value_of(value), 64, true, access);
+    if (bytes != stride)
+      term = binary(OpKind::kMul, term, constant_value(APInt(64, bytes / stride, true)), access);
+    index = is_zero(index) ? term : binary(OpKind::kAdd, term, index, access);
+  }
+  address.subscripts = {index};
+  return address;
+}
+
+Address ProcessBuilder::decode_element(CallInst& call, const Instruction& access) {
+  Address address;
+  last_object_pointer_ = call.getArgOperand(0);
+  address.object = &object_at(last_object_pointer_, access);
+  uint64_t offset = cast<ConstantInt>(call.getArgOperand(1))->getZExtValue();
+  for (size_t leaf = 0; leaf < address.object->leaves.size(); ++leaf)
+    if (address.object->leaves[leaf].byte_offset == offset) address.leaf = leaf;
+  check_width(address.object->leaves[address.leaf], access);
+  for (unsigned i = 2; i < call.arg_size(); ++i)
+    address.subscripts.push_back(value_of(call.getArgOperand(i)));
+  return address;
+}
+
+void ProcessBuilder::check_width(const MemoryLeaf& leaf, const Instruction& access) {
+  Type* type = access.getType();
+  if (auto* store = dyn_cast<StoreInst>(&access)) type = store->getValueOperand()->getType();
+  if (auto* call = dyn_cast<CallInst>(&access); call && primitive_of(*call) == Primitive::kStore)
+    type = call->getArgOperand(1)->getType();
+  if (!type->isIntegerTy())
+    refuse(access,
+           "only integers can be loaded and stored here; pointers and floating point have no hardware form");
+  if (type->getIntegerBitWidth() > leaf.bytes * 8)
+    refuse(access, "this access covers several elements of an array at once; access them one by one");
+}
+
+ProcessBuilder::Place ProcessBuilder::place_of(const Address& address, const Instruction& access) {
+  MemoryObject& object = *address.object;
+  const MemoryLeaf& shape = object.leaves[address.leaf];
+  Place result{constant_value(APInt(64, 0)), constant_value(APInt(64, 0)), 1};
+  if (address.is_linear) {
+    result.address = address.subscripts[0];
+    return result;
+  }
+  bool registers = is_fully_partitioned(object);
+  for (size_t d = 0; d < shape.dims.size(); ++d) {
+    uint64_t count = registers ? 1 : bank_count(object.partitions[d], shape.dims[d]);
+    uint64_t words = (shape.dims[d] + count - 1) / count;
+    ValueId subscript = address.subscripts[d];
+    bool is_block = object.partitions[d].kind == Partition::kBlock;
+    ValueId quotient = divided(subscript, is_block ? words : count, access);
+    ValueId remainder = remainder_of(subscript, is_block ? words : count, access);
+    result.bank = combined(result.bank, count, is_block ? quotient : remainder, access);
+    result.address = combined(result.address, words, is_block ? remainder : quotient, access);
+    result.banks *= count;
+  }
+  return result;
+}
+
+ValueId ProcessBuilder::combined(ValueId outer, uint64_t size, ValueId inner, const Instruction& access) {
+  if (is_zero(outer)) return inner;
+  ValueId scaled = binary(OpKind::kMul, outer, constant_value(APInt(64, size)), access);
+  return is_zero(inner) ? scaled : binary(OpKind::kAdd, scaled, inner, access);
+}
+
+ValueId ProcessBuilder::divided(ValueId value, uint64_t divisor, const Instruction& access) {
+  if (divisor == 1) return value;
+  if (is_constant(value)) return constant_value(process_[value].constant.udiv(divisor));
+  if (isPowerOf2_64(divisor))
+    return binary(OpKind::kLShr, value, constant_value(APInt(64, Log2_64(divisor))), access);
+  return binary(OpKind::kUDiv, value, constant_value(APInt(64, divisor)), access);
+}
+
+ValueId ProcessBuilder::remainder_of(ValueId value, uint64_t divisor, const Instruction& access) {
+  if (divisor == 1) return constant_value(APInt(64, 0));
+  if (is_constant(value)) return constant_value(APInt(64, process_[value].constant.urem(divisor)));
+  if (isPowerOf2_64(divisor))
+    return binary(OpKind::kAnd, value, constant_value(APInt(64, divisor - 1)), access);
+  return binary(OpKind::kURem, value, constant_value(APInt(64, divisor)), access);
+}
+
+}  // namespace hlsc

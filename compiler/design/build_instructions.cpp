@@ -1,0 +1,193 @@
+#include "design/process_builder.h"
+#include "middle/primitives.h"
+#include "middle/source_location.h"
+
+namespace hlsc {
+
+using namespace llvm;
+
+namespace {
+
+/// LLVM's opcodes that are one operation each.
+const std::map<unsigned, OpKind>& operation_kinds() {
+  static const std::map<unsigned, OpKind> kinds = {
+      {Instruction::Add, OpKind::kAdd},     {Instruction::Sub, OpKind::kSub},
+      {Instruction::Mul, OpKind::kMul},     {Instruction::UDiv, OpKind::kUDiv},
+      {Instruction::SDiv, OpKind::kSDiv},   {Instruction::URem, OpKind::kURem},
+      {Instruction::SRem, OpKind::kSRem},   {Instruction::And, OpKind::kAnd},
+      {Instruction::Or, OpKind::kOr},       {Instruction::Xor, OpKind::kXor},
+      {Instruction::Shl, OpKind::kShl},     {Instruction::LShr, OpKind::kLShr},
+      {Instruction::AShr, OpKind::kAShr},   {Instruction::ZExt, OpKind::kZExt},
+      {Instruction::SExt, OpKind::kSExt},   {Instruction::Trunc, OpKind::kTrunc},
+      {Instruction::ICmp, OpKind::kCompare}};
+  return kinds;
+}
+
+}  // namespace
+
+void ProcessBuilder::build_instruction(Instruction& instruction) {
+  if (isa<GetElementPtrInst>(instruction) || isa<AllocaInst>(instruction) ||
+      isa<DbgInfoIntrinsic>(instruction) || isa<InsertValueInst>(instruction) ||
+      is_element_address(&instruction) || instruction.isLifetimeStartOrEnd())
+    return;
+  ValueId id = translated(instruction);
+  if (id == kNoValue) return;
+  values_[&instruction] = id;
+  refine(id, instruction);
+}
+
+std::string ProcessBuilder::name_of(Instruction& instruction) {
+  SmallVector<DbgValueInst*, 2> intrinsics;
+  SmallVector<DbgVariableRecord*, 2> records;
+  findDbgValues(intrinsics, &instruction, &records);
+  for (DbgVariableRecord* record : records)
+    if (!record->getVariable()->isArtificial() && record->getVariable()->getName() != "this")
+      return record->getVariable()->getName().str();
+  std::string name = variable_part(instruction.getName().str());
+  static const std::set<std::string> empty_names = {
+      "conv",   "add",    "sub",     "mul",     "cmp",    "shl",      "shr",    "and",  "or",
+      "xor",    "cond",   "loadedv", "storedv", "tobool", "frombool", "inc",    "dec",  "div",
+      "rem",    "narrow", "spec",    "sext",    "trunc",  "zext",     "lnot",   "call", "ref",
+      "retval", "tmp",    "agg",     "lor",     "land",   "not",      "indvars"};
+  return empty_names.count(name) ? "" : name;
+}
+
+ValueId ProcessBuilder::translated(Instruction& instruction) {
+  if (accessed_pointer(instruction)) return is_store(instruction) ? store(instruction) : load(instruction);
+  if (auto* call = dyn_cast<CallInst>(&instruction)) return translated_call(*call);
+  if (instruction.getType()->isFloatingPointTy())
+    refuse(instruction, "floating point has no operators yet; use ap_fixed");
+  if (!instruction.getType()->isIntegerTy())
+    refuse(instruction,
+           "this pointer may point to several objects; access each array by its own name with a subscript");
+  Operation operation;
+  operation.type_width = instruction.getType()->getIntegerBitWidth();
+  if (isa<PHINode>(instruction)) {
+    operation.kind = OpKind::kPhi;
+    return add(operation, instruction, name_of(instruction));
+  }
+  if (isa<FreezeInst>(instruction)) return value_of(instruction.getOperand(0));
+  for (Value* operand : instruction.operands()) operation.operands.push_back(value_of(operand));
+  if (isa<SelectInst>(instruction)) return translated_select(instruction, operation);
+  if (auto* comparison = dyn_cast<ICmpInst>(&instruction)) {
+    operation.compare = compare_kind(comparison->getPredicate());
+    operation.operand_width = process_[operation.operands[0]].type_width;
+  }
+  auto kind = operation_kinds().find(instruction.getOpcode());
+  if (kind == operation_kinds().end())
+    refuse(instruction, std::string("'") + instruction.getOpcodeName() +
+                            "' has no hardware form; use integers, ap types and subscripts");
+  operation.kind = kind->second;
+  return add(operation, instruction, name_of(instruction));
+}
+
+ValueId ProcessBuilder::translated_select(Instruction& instruction, Operation operation) {
+  auto [condition, yes, no] = std::tie(operation.operands[0], operation.operands[1], operation.operands[2]);
+  auto is_bit = [&](ValueId id, bool bit) {
+    return operation.type_width == 1 && is_constant(id) && process_[id].constant == bit;
+  };
+  operation.kind = OpKind::kSelect;
+  if (is_bit(no, false)) {
+    operation.kind = OpKind::kAnd;
+    operation.operands = {condition, yes};
+  } else if (is_bit(yes, true)) {
+    operation.kind = OpKind::kOr;
+    operation.operands = {condition, no};
+  }
+  return add(operation, instruction, name_of(instruction));
+}
+
+CompareKind ProcessBuilder::compare_kind(CmpInst::Predicate predicate) {
+  static const std::map<CmpInst::Predicate, CompareKind> kinds = {
+      {CmpInst::ICMP_EQ, CompareKind::kEq},   {CmpInst::ICMP_NE, CompareKind::kNe},
+      {CmpInst::ICMP_ULT, CompareKind::kULt}, {CmpInst::ICMP_ULE, CompareKind::kULe},
+      {CmpInst::ICMP_UGT, CompareKind::kUGt}, {CmpInst::ICMP_UGE, CompareKind::kUGe},
+      {CmpInst::ICMP_SLT, CompareKind::kSLt}, {CmpInst::ICMP_SLE, CompareKind::kSLe},
+      {CmpInst::ICMP_SGT, CompareKind::kSGt}, {CmpInst::ICMP_SGE, CompareKind::kSGe}};
+  return kinds.at(predicate);
+}
+
+ValueId ProcessBuilder::predicate_of(Value* predicate) {
+  auto* constant = dyn_cast<ConstantInt>(predicate);
+  return constant && constant->isOne() ? kNoValue : value_of(predicate);
+}
+
+ValueId ProcessBuilder::translated_call(CallInst& call) {
+  if (int process = process_called(call); process >= 0) {
+    build_instance(call, process);
+    return kNoValue;
+  }
+  Operation operation;
+  switch (primitive_of(call)) {
+    case Primitive::kRead:
+      operation.kind = OpKind::kRead;
+      operation.type_width = call.getType()->getIntegerBitWidth();
+      operation.predicate = predicate_of(call.getArgOperand(1));
+      operation.object = stream_of(call, true, operation.type_width);
+      return add(operation, call, process_.streams[operation.object].name + "_data");
+    case Primitive::kWrite:
+      operation.kind = OpKind::kWrite;
+      operation.operands = {value_of(call.getArgOperand(1))};
+      operation.predicate = predicate_of(call.getArgOperand(2));
+      operation.object = stream_of(call, false, call.getArgOperand(1)->getType()->getIntegerBitWidth());
+      add(operation, call, process_.streams[operation.object].name + "_write");
+      return kNoValue;
+    case Primitive::kEmpty:
+    case Primitive::kFull:
+      operation.kind = primitive_of(call) == Primitive::kEmpty ? OpKind::kEmpty : OpKind::kFull;
+      operation.type_width = 1;
+      operation.object = stream_of(call, operation.kind == OpKind::kEmpty, 0);
+      return add(
+          operation, call,
+          process_.streams[operation.object].name + (operation.kind == OpKind::kEmpty ? "_empty" : "_full"));
+    default:
+      break;
+  }
+  if (auto* intrinsic = dyn_cast<IntrinsicInst>(&call)) return translated_intrinsic(*intrinsic);
+  std::string callee =
+      call.getCalledFunction() ? call.getCalledFunction()->getName().str() : "a function pointer";
+  refuse(call, "the call of '" + callee + "' cannot be inlined; give the function's source among the files");
+}
+
+int ProcessBuilder::stream_of(CallInst& call, bool is_input, unsigned width) {
+  APInt offset(64, 0);
+  Value* base = call.getArgOperand(0)->stripAndAccumulateConstantOffsets(layout_, offset, true);
+  auto known = streams_.find({base, offset.getZExtValue()});
+  if (known == streams_.end())
+    refuse(call,
+           "cannot tell which stream is meant here; pass streams by reference and use constant subscripts");
+  Stream& stream = process_.streams[known->second];
+  if (stream_used_.insert(known->second).second)
+    stream.is_input = is_input;
+  else if (stream.is_input != is_input)
+    refuse(call, "stream '" + stream.name +
+                     "' is both read and written by one process; use a local array, or split the process");
+  if (width) stream.width = width;
+  return known->second;
+}
+
+void ProcessBuilder::refine(ValueId id, Instruction& instruction) {
+  if (!instruction.getType()->isIntegerTy()) return;
+  Operation& operation = process_[id];
+  if (operation.kind == OpKind::kConstant || operation.kind == OpKind::kInput ||
+      operation.type_width != instruction.getType()->getIntegerBitWidth())
+    return;
+  unsigned width = operation.type_width;
+  unsigned unsigned_bits = width - computeKnownBits(&instruction, layout_).countMinLeadingZeros();
+  unsigned signed_bits = width - ComputeNumSignBits(&instruction, layout_) + 1;
+  if (evolution_.isSCEVable(instruction.getType())) {
+    const SCEV* form = evolution_.getSCEV(&instruction);
+    unsigned_bits = std::min(unsigned_bits, evolution_.getUnsignedRangeMax(form).getActiveBits());
+    unsigned low = evolution_.getSignedRangeMin(form).getSignificantBits(),
+             high = evolution_.getSignedRangeMax(form).getSignificantBits();
+    signed_bits = std::min(signed_bits, std::max(low, high));
+  }
+  bool is_signed = signed_bits < unsigned_bits;
+  unsigned bits = std::max(1u, is_signed ? signed_bits : unsigned_bits);
+  if (bits < operation.bits) {
+    operation.bits = bits;
+    operation.is_signed = is_signed;
+  }
+}
+
+}  // namespace hlsc

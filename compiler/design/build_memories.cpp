@@ -1,0 +1,161 @@
+#include <llvm/Analysis/ConstantFolding.h>
+
+#include "design/process_builder.h"
+
+namespace hlsc {
+
+using namespace llvm;
+
+constexpr uint64_t kTinyDepth = 4;  ///< Arrays up to this depth become registers.
+constexpr uint64_t kCombinationalRomBits =
+    2048;  ///< Tables up to this size are logic, read in the same cycle.
+
+MemoryObject& ProcessBuilder::object_at(Value* pointer, const Instruction& access) {
+  auto known = objects_.find(pointer);
+  if (known != objects_.end()) return known->second;
+  Type* type = nullptr;
+  if (auto* alloca = dyn_cast<AllocaInst>(pointer)) type = alloca->getAllocatedType();
+  if (auto* global = dyn_cast<GlobalVariable>(pointer)) type = global->getValueType();
+  if (!type)
+    refuse(access,
+           "this pointer may point to several objects; access each array by its own name with a subscript");
+  MemoryObject& object = objects_[pointer];
+  object.type = type;
+  object.name = object_name(pointer);
+  object.leaves = memory_leaves(layout_, type);
+  for (const MemoryLeaf& leaf : object.leaves) {
+    object.widths.push_back(leaf.bytes * 8);
+    object.signedness.push_back(false);
+    object.leaf_names.push_back(object.name + leaf.path);
+  }
+  read_partitions(pointer, object);
+  return object;
+}
+
+std::string ProcessBuilder::object_name(Value* pointer) {
+  if (auto* global = dyn_cast<GlobalVariable>(pointer)) {
+    SmallVector<DIGlobalVariableExpression*, 1> debug;
+    global->getDebugInfo(debug);
+    return debug.empty() ? variable_part(global->getName().str()) : debug[0]->getVariable()->getName().str();
+  }
+  return variable_part(pointer->getName().str());
+}
+
+void ProcessBuilder::read_partitions(Value* pointer, MemoryObject& object) {
+  object.partitions.resize(object.leaves.empty() ? 0 : object.leaves[0].dims.size());
+  for (const Directive& directive : middle_.directives.of(pointer, "ARRAY_PARTITION")) {
+    size_t dim = directive.integer("dim", 1);
+    Partition partition;
+    std::string type = directive.text("type");
+    partition.kind = directive.has("cyclic") || type == "cyclic" ? Partition::kCyclic
+                     : directive.has("block") || type == "block" ? Partition::kBlock
+                                                                 : Partition::kComplete;
+    partition.factor = directive.integer("factor", 2);
+    for (size_t d = 0; d < object.partitions.size(); ++d)
+      if (dim == 0 || dim == d + 1) object.partitions[d] = partition;
+  }
+}
+
+bool ProcessBuilder::is_fully_partitioned(const MemoryObject& object) {
+  return !object.partitions.empty() &&
+         all_of(object.partitions, [](const Partition& p) { return p.kind == Partition::kComplete; });
+}
+
+uint64_t ProcessBuilder::bank_count(const Partition& partition, uint64_t size) {
+  if (partition.kind == Partition::kNone) return 1;
+  return partition.kind == Partition::kComplete ? size : std::min(partition.factor, size);
+}
+
+int ProcessBuilder::memory_of(MemoryObject& object, Value* pointer, size_t leaf, uint64_t bank) {
+  auto known = object.memories.find({leaf, bank});
+  if (known != object.memories.end()) return known->second;
+  const MemoryLeaf& shape = object.leaves[leaf];
+  Memory memory;
+  bool registers = is_fully_partitioned(object);
+  uint64_t banks = 1;
+  for (size_t d = 0; d < shape.dims.size(); ++d) {
+    uint64_t count = registers ? 1 : bank_count(object.partitions[d], shape.dims[d]);
+    banks *= count;
+    memory.depth *= (shape.dims[d] + count - 1) / count;
+  }
+  std::string bank_suffix = banks > 1 ? "_" + std::to_string(bank) : "";
+  memory.name = names_.unique(object.leaf_names[leaf] + bank_suffix, "memory");
+  memory.width = object.widths[leaf];
+  memory.is_signed = object.signedness[leaf];
+  memory.independent = is_independent(pointer);
+  memory.is_aggregate = object.is_aggregate;
+  if (object.is_aggregate) {
+    memory.name = names_.unique(object.name);
+    memory.width = low_bit(object, object.leaves.size());
+    memory.is_signed = false;
+  }
+  auto* global = dyn_cast<GlobalVariable>(pointer);
+  if (global) memory.initial = initial_words(*global, object, leaf, bank, memory.depth);
+  if (object.argument >= 0) {
+    memory.kind = MemoryKind::kPort;
+    memory.argument = object.argument;
+    memory.llvm_argument = object.llvm_argument;
+    memory.byte_offset = shape.byte_offset;
+  } else if (global && is_constant_table(*global)) {
+    memory.kind = MemoryKind::kRom;
+    memory.load_latency = memory.depth * memory.width <= kCombinationalRomBits ? 0 : 1;
+  } else if (registers || memory.depth <= kTinyDepth) {
+    memory.kind = MemoryKind::kRegisters;
+    memory.load_latency = 0;
+  }
+  object.memories[{leaf, bank}] = process_.memories.size();
+  process_.memories.push_back(memory);
+  return process_.memories.size() - 1;
+}
+
+bool ProcessBuilder::is_constant_table(const GlobalVariable& global) { return global.isConstant(); }
+
+bool ProcessBuilder::is_independent(Value* pointer) {
+  for (const Directive& directive : middle_.directives.of(pointer, "DEPENDENCE"))
+    if (directive.has("inter") && directive.has("false")) return true;
+  return any_of(middle_.directives.of(pointer, "DEPENDENCE"), [](const Directive& d) {
+    return d.text("type") == "inter" && d.text("dependent") == "false";
+  });
+}
+
+std::vector<APInt> ProcessBuilder::initial_words(GlobalVariable& global, const MemoryObject& object,
+                                                 size_t leaf, uint64_t bank, uint64_t depth) {
+  const MemoryLeaf& shape = object.leaves[leaf];
+  if (!global.hasInitializer()) return {};
+  if (global.getInitializer()->isNullValue()) return {APInt(object.widths[leaf], 0)};
+  std::vector<APInt> words(depth, APInt(object.widths[leaf], 0));
+  uint64_t elements = 1;
+  for (uint64_t size : shape.dims) elements *= size;
+  for (uint64_t element = 0; element < elements; ++element) {
+    uint64_t rest = element, offset = shape.byte_offset;
+    std::vector<uint64_t> subscripts(shape.dims.size());
+    for (size_t d = shape.dims.size(); d-- > 0;) {
+      subscripts[d] = rest % shape.dims[d];
+      rest /= shape.dims[d];
+      offset += subscripts[d] * shape.strides[d];
+    }
+    auto [at_bank, address] = place(object, shape, subscripts);
+    if (at_bank != bank) continue;
+    Constant* value = ConstantFoldLoadFromConst(global.getInitializer(),
+                                                Type::getIntNTy(global.getContext(), shape.bytes * 8),
+                                                APInt(64, offset), layout_);
+    if (auto* integer = dyn_cast_or_null<ConstantInt>(value)) words[address] = integer->getValue();
+  }
+  return words;
+}
+
+std::pair<uint64_t, uint64_t> ProcessBuilder::place(const MemoryObject& object, const MemoryLeaf& shape,
+                                                    const std::vector<uint64_t>& subscripts) {
+  bool registers = is_fully_partitioned(object);
+  uint64_t bank = 0, address = 0;
+  for (size_t d = 0; d < shape.dims.size(); ++d) {
+    uint64_t count = registers ? 1 : bank_count(object.partitions[d], shape.dims[d]);
+    uint64_t words = (shape.dims[d] + count - 1) / count;
+    bool is_block = object.partitions[d].kind == Partition::kBlock;
+    bank = bank * count + (is_block ? subscripts[d] / words : subscripts[d] % count);
+    address = address * words + (is_block ? subscripts[d] % words : subscripts[d] / count);
+  }
+  return {bank, address};
+}
+
+}  // namespace hlsc

@@ -1,0 +1,206 @@
+#include "design/process_builder.h"
+#include "middle/primitives.h"
+
+namespace hlsc {
+
+using namespace llvm;
+
+void ProcessBuilder::read_parameters() {
+  auto argument = function_.arg_begin();
+  if (argument != function_.arg_end() && argument->hasStructRetAttr()) add_result_object(*argument++);
+  for (size_t index = 0; index < info_->parameters.size(); ++index) {
+    const Parameter& parameter = info_->parameters[index];
+    bool first = true;
+    while (argument != function_.arg_end() &&
+           (first || argument->getName().starts_with(parameter.name + ".coerce"))) {
+      if (argument->getName().starts_with(parameter.name) || parameter.name.empty())
+        read_parameter(*argument, parameter, index);
+      else
+        break;
+      first = false;
+      ++argument;
+    }
+  }
+  if (!function_.getReturnType()->isVoidTy()) {
+    bool is_lone = info_->result.leaves.size() == 1;
+    unsigned width = is_lone ? info_->result.leaves[0].width : returned_bits(function_.getReturnType());
+    result_port_ = process_.scalars.size();
+    process_.scalars.push_back({"ap_return", width, false, true, true, -1, 0, -1, -1});
+  }
+}
+
+void ProcessBuilder::read_parameter(Argument& argument, const Parameter& parameter, int index) {
+  if (!parameter.streams.empty()) {
+    for (const StreamMember& member : parameter.streams) {
+      streams_[{&argument, member.byte_offset}] = process_.streams.size();
+      Stream stream;
+      stream.name = names_.unique(parameter.name + member.suffix, "stream");
+      stream.width = member.layout.width();
+      stream.is_input = true;
+      stream.argument = index;
+      stream.index = member.index;
+      stream.byte_offset = member.byte_offset;
+      stream.llvm_argument = argument.getArgNo();
+      process_.streams.push_back(stream);
+    }
+  } else if (argument.getType()->isPointerTy()) {
+    add_parameter_object(argument, parameter, index);
+  } else {
+    add_scalar_input(argument, parameter, index);
+  }
+}
+
+void ProcessBuilder::add_scalar_input(Argument& argument, const Parameter& parameter, int index) {
+  bool lone = parameter.layout.leaves.size() == 1;
+  unsigned type_width = argument.getType()->getIntegerBitWidth();
+  ScalarPort port;
+  unsigned width = lone ? parameter.layout.leaves[0].width : type_width;
+  bool is_second_half = argument.getName().ends_with(".coerce1");
+  bool is_split = lone && width > type_width;
+  std::string half = is_second_half ? "_1" : "_0";
+  port.name = names_.unique(lone && !is_split ? parameter.name : parameter.name + half);
+  port.width = is_second_half && lone ? width - 64 : std::min(width, type_width);
+  port.is_signed = lone && !is_split && parameter.layout.leaves[0].is_signed;
+  port.argument = index;
+  port.llvm_argument = argument.getArgNo();
+  if (is_second_half) port.byte_offset = 8;
+  values_[&argument] = add_input(port, type_width);
+}
+
+ValueId ProcessBuilder::add_input(const ScalarPort& port, unsigned type_width) {
+  Operation input;
+  input.kind = OpKind::kInput;
+  input.type_width = type_width;
+  input.bits = port.width;
+  input.is_signed = port.is_signed;
+  input.object = process_.scalars.size();
+  input.name = port.name;
+  process_.scalars.push_back(port);
+  process_.operations.push_back(input);
+  return process_.operations.size() - 1;
+}
+
+void ProcessBuilder::add_layout(MemoryObject& object, const TypeLayout& layout,
+                                const std::vector<uint64_t>& dims) {
+  std::vector<uint64_t> strides(dims.size(), layout.bytes);
+  for (size_t d = dims.size(); d-- > 1;) strides[d - 1] = strides[d] * dims[d];
+  for (const Leaf& leaf : layout.leaves) {
+    object.leaves.push_back({leaf.name, leaf.byte_offset, leaf.bytes, dims, strides});
+    object.widths.push_back(leaf.width);
+    object.signedness.push_back(leaf.is_signed);
+    object.leaf_names.push_back(leaf.name.empty() ? object.name : object.name + "_" + leaf.name);
+  }
+}
+
+void ProcessBuilder::add_result_object(Argument& argument) {
+  MemoryObject& object = objects_[&argument];
+  object.name = "ap_return";
+  object.is_scalar_port = true;
+  add_layout(object, info_->result, {});
+}
+
+void ProcessBuilder::add_parameter_object(Argument& argument, const Parameter& parameter, int index) {
+  MemoryObject& object = objects_[&argument];
+  object.name = parameter.name;
+  object.argument = index;
+  object.llvm_argument = argument.getArgNo();
+  std::vector<uint64_t> dims = parameter.dims;
+  bool is_open = !dims.empty() && dims[0] == 0;
+  if (is_open && has_only_constant_zero_accesses(argument, parameter.layout.bytes)) dims.clear();
+  if (!dims.empty() && dims[0] == 0) dims[0] = port_depth(parameter.name);
+  object.is_scalar_port = dims.empty();
+  object.is_aggregate = !dims.empty() && is_aggregated(argument) && !is_stored_to(argument);
+  add_layout(object, parameter.layout, dims);
+  object.partitions.resize(dims.size());
+}
+
+bool ProcessBuilder::is_aggregated(Argument& argument) {
+  return !middle_.directives.of(&argument, "AGGREGATE").empty() ||
+         !middle_.directives.of(&argument, "DATA_PACK").empty();
+}
+
+bool ProcessBuilder::is_stored_to(Argument& argument) {
+  return any_of(instructions(function_), [&](Instruction& instruction) {
+    return is_store(instruction) && getUnderlyingObject(accessed_pointer(instruction), 0) == &argument;
+  });
+}
+
+uint64_t ProcessBuilder::port_depth(const std::string& name) {
+  auto ports = middle_.directives.ports.find(function_.getName().str());
+  if (ports != middle_.directives.ports.end())
+    for (const PortDirective& entry : ports->second)
+      if (entry.port == name && entry.directive.has("depth")) return entry.directive.integer("depth", 0);
+  return 65536;
+}
+
+bool ProcessBuilder::has_only_constant_zero_accesses(Value& pointer, uint64_t bytes) {
+  for (User* user : pointer.users()) {
+    auto* gep = dyn_cast<GEPOperator>(user);
+    if (!gep) continue;
+    APInt offset(64, 0);
+    if (!gep->accumulateConstantOffset(layout_, offset) || offset.isNegative() || offset.uge(bytes))
+      return false;
+  }
+  return true;
+}
+
+void ProcessBuilder::find_scalar_port_uses() {
+  for (Argument& pointer : function_.args()) {
+    auto known = objects_.find(&pointer);
+    if (known == objects_.end() || !known->second.is_scalar_port) continue;
+    MemoryObject& object = known->second;
+    std::set<size_t> read, written;
+    for (Instruction& instruction : instructions(function_)) {
+      Value* address = accessed_pointer(instruction);
+      if (!address || getUnderlyingObject(address, 0) != &pointer) continue;
+      size_t leaf = decode(address, instruction).leaf;
+      (is_store(instruction) ? written : read).insert(leaf);
+    }
+    for (size_t leaf = 0; leaf < object.leaves.size(); ++leaf)
+      add_scalar_leaf(object, leaf, read.count(leaf), written.count(leaf));
+  }
+}
+
+void ProcessBuilder::add_scalar_leaf(MemoryObject& object, size_t leaf, bool read, bool written) {
+  ScalarPort port;
+  port.width = object.widths[leaf];
+  port.is_signed = object.signedness[leaf];
+  port.argument = object.argument;
+  port.llvm_argument = object.llvm_argument;
+  port.byte_offset = object.leaves[leaf].byte_offset;
+  port.is_result = object.argument < 0;
+  if (written) {
+    ScalarPort output = port;
+    output.is_output = true;
+    output.name = names_.unique(read ? object.leaf_names[leaf] + "_o" : object.leaf_names[leaf]);
+    object.outputs[leaf] = process_.scalars.size();
+    process_.scalars.push_back(output);
+  }
+  if (read) {
+    port.name = names_.unique(written ? object.leaf_names[leaf] + "_i" : object.leaf_names[leaf]);
+    object.inputs[leaf] = process_.scalars.size();
+    input_values_[{&object, leaf}] = add_input(port, object.leaves[leaf].bytes * 8);
+  }
+  if (read && written) {
+    Memory copy;
+    copy.name = names_.unique(object.leaf_names[leaf] + "_value");
+    copy.kind = MemoryKind::kRegisters;
+    copy.width = object.widths[leaf];
+    copy.is_signed = object.signedness[leaf];
+    copy.load_latency = 0;
+    object.memories[{leaf, 0}] = process_.memories.size();
+    process_.memories.push_back(copy);
+    entry_copies_.push_back({object.memories[{leaf, 0}], input_values_[{&object, leaf}]});
+  }
+}
+
+unsigned ProcessBuilder::returned_bits(Type* type) {
+  auto* structure = dyn_cast<StructType>(type);
+  if (!structure) return type->isIntegerTy() ? type->getIntegerBitWidth() : 1;
+  unsigned bits = 0;
+  for (Type* element : structure->elements())
+    bits += element->isIntegerTy() ? element->getIntegerBitWidth() : 0;
+  return bits;
+}
+
+}  // namespace hlsc

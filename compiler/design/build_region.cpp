@@ -1,0 +1,174 @@
+#include "design/process_builder.h"
+
+namespace hlsc {
+
+using namespace llvm;
+
+Region ProcessBuilder::build_region(const std::vector<Process>& processes) {
+  Region region;
+  region_ = &region;
+  region_processes_ = &processes;
+  region.head = build();
+  for (const RegionChannel& channel : region.channels)
+    if (channel.reader < 0)
+      throw CompileError(
+          info_->location,
+          "array '" + channel.name + "' is written by a process and read by none; remove it or read it");
+  region.head.streams.clear();  // They pass the head by.
+  return region;
+}
+
+int ProcessBuilder::process_called(const CallInst& call) const {
+  const Function* callee = call.getCalledFunction();
+  for (size_t i = 0; region_ && callee && i < middle_.processes.size(); ++i)
+    if (callee->getName() == middle_.processes[i]) return i;
+  return -1;
+}
+
+void ProcessBuilder::build_instance(CallInst& call, int index) {
+  const Process& process = (*region_processes_)[index];
+  Instance instance;
+  instance.process = index;
+  instance.name = names_.unique(process.name);
+  for (const Stream& stream : process.streams) instance.streams.push_back(region_stream(call, stream));
+  for (const ScalarPort& port : process.scalars)
+    instance.scalars.push_back(region_scalar(call, port, instance.name));
+  for (const Memory& memory : process.memories) {
+    if (memory.kind != MemoryKind::kPort) continue;
+    if (!memory.is_read && !memory.is_written) continue;
+    Value* array = call.getArgOperand(memory.llvm_argument);
+    auto* argument = dyn_cast<Argument>(array);
+    if (!argument) {
+      instance.channels.push_back(channel_port(call, array, memory));
+      continue;
+    }
+    instance.memories.push_back({memory.name, objects_[argument].argument});
+  }
+  region_->instances.push_back(instance);
+}
+
+ChannelPort ProcessBuilder::channel_port(CallInst& call, Value* array, const Memory& memory) {
+  auto [known, is_new] = region_channels_.emplace(array, region_->channels.size());
+  if (is_new) region_->channels.push_back(new_channel(call, array));
+  RegionChannel& channel = region_->channels[known->second];
+  int self = region_->instances.size();
+  int& end = memory.is_written ? channel.writer : channel.reader;
+  if (memory.is_written && memory.is_read)
+    refuse(call, "process '" + (*region_processes_)[process_called(call)].name + "' both reads and writes '" +
+                     channel.name + "', which another process uses; give it a local array and copy");
+  if (end >= 0 && end != self)
+    refuse(call, "array '" + channel.name + "' has two " + (memory.is_written ? "writers" : "readers") +
+                     "; give each pair of processes an array of its own");
+  if (!memory.is_written && channel.writer < 0)
+    refuse(call,
+           "array '" + channel.name + "' is read before a process has written it; call the writer first");
+  end = self;
+  channel.member_widths[memory.byte_offset] = memory.width;
+  return {memory.name, known->second, memory.byte_offset, address_bits(memory.depth)};
+}
+
+RegionChannel ProcessBuilder::new_channel(CallInst& call, Value* array) {
+  auto* local = dyn_cast<AllocaInst>(array);
+  auto* type = local ? dyn_cast<ArrayType>(local->getAllocatedType()) : nullptr;
+  if (!type)
+    refuse(call,
+           "only whole local arrays can lie between two processes; declare the array in the dataflow "
+           "function and pass it by its name");
+  RegionChannel channel;
+  channel.name = names_.unique(object_name(array), "channel");
+  channel.depth = 1;
+  Type* element = type;
+  for (; isa<ArrayType>(element); element = element->getArrayElementType())
+    channel.depth *= element->getArrayNumElements();
+  return channel;
+}
+
+int ProcessBuilder::region_stream(CallInst& call, const Stream& port) {
+  APInt offset(64, 0);
+  Value* base =
+      call.getArgOperand(port.llvm_argument)->stripAndAccumulateConstantOffsets(layout_, offset, true);
+  offset += port.byte_offset;
+  auto [known, is_new] =
+      region_streams_.emplace(std::make_pair(base, offset.getZExtValue()), region_->streams.size());
+  if (is_new) region_->streams.push_back(new_region_stream(base, offset.getZExtValue(), port.width));
+  RegionStream& stream = region_->streams[known->second];
+  int& end = port.is_input ? stream.reader : stream.writer;
+  if (end >= 0)
+    refuse(call, "stream '" + stream.name + "' has two " + (port.is_input ? "readers" : "writers") +
+                     "; give each process a stream of its own");
+  end = region_->instances.size();
+  return known->second;
+}
+
+RegionStream ProcessBuilder::new_region_stream(Value* base, uint64_t offset, unsigned width) {
+  RegionStream stream;
+  stream.width = width;
+  auto port = streams_.find({base, offset});
+  if (port != streams_.end()) {
+    stream.name = process_.streams[port->second].name;
+    stream.argument = process_.streams[port->second].argument;
+    stream.index = process_.streams[port->second].index;
+    return stream;
+  }
+  std::string name = object_name(base);
+  stream.name = names_.unique(offset ? name + "_" + std::to_string(offset) : name, "stream");
+  for (const Directive& directive : middle_.directives.of(base, "STREAM"))
+    stream.depth = std::max<int>(2, directive.integer("depth", 2));
+  return stream;
+}
+
+int ProcessBuilder::region_scalar(CallInst& call, const ScalarPort& port, const std::string& instance) {
+  Value* actual = port.llvm_argument >= 0 ? call.getArgOperand(port.llvm_argument) : nullptr;
+  if (port.is_output) {
+    auto* argument = dyn_cast_or_null<Argument>(actual);
+    if (!argument || !objects_.count(argument))
+      refuse(call, "process '" + instance + "' writes '" + port.name +
+                       "', which is no parameter of the dataflow function; use an hls::stream for it");
+    MemoryObject& object = objects_[argument];
+    for (size_t leaf = 0; leaf < object.leaves.size(); ++leaf)
+      if (object.leaves[leaf].byte_offset == port.byte_offset) {
+        if (!object.outputs.count(leaf)) add_scalar_leaf(object, leaf, false, true);
+        return object.outputs[leaf];
+      }
+    refuse(call,
+           "process '" + instance + "' writes a part of '" + port.name + "'; use an hls::stream for it");
+  }
+  ScalarPort output = port;
+  output.name = names_.unique(instance + "_" + port.name);
+  output.is_output = true;
+  output.argument = -1;
+  output.instance = region_->instances.size();
+  Operation set;
+  set.kind = OpKind::kOutput;
+  set.operands = {actual->getType()->isPointerTy() ? pointed_scalar(call, actual, port) : value_of(actual)};
+  set.object = process_.scalars.size();
+  process_.scalars.push_back(output);
+  add(set, call, output.name + "_set");
+  return set.object;
+}
+
+ValueId ProcessBuilder::pointed_scalar(CallInst& call, Value* pointer, const ScalarPort& port) {
+  APInt constant(64, 0);
+  Value* base = pointer->stripAndAccumulateConstantOffsets(layout_, constant, true);
+  MemoryObject& object = object_at(base, call);
+  uint64_t offset = constant.getZExtValue() + port.byte_offset;
+  for (size_t leaf = 0; leaf < object.leaves.size(); ++leaf) {
+    if (object.leaves[leaf].byte_offset != offset || !object.leaves[leaf].dims.empty()) continue;
+    if (object.is_scalar_port) {
+      if (!input_values_.count({&object, leaf})) add_scalar_leaf(object, leaf, true, false);
+      return input_values_[{&object, leaf}];
+    }
+    Operation load;
+    load.kind = OpKind::kLoad;
+    load.object = memory_of(object, base, leaf, 0);
+    load.type_width = object.leaves[leaf].bytes * 8;
+    load.operands = {constant_value(APInt(64, 0))};
+    process_.memories[load.object].is_read = true;
+    return add(load, call, process_.memories[load.object].name + "_data");
+  }
+  refuse(call,
+         "parameter '" + port.name +
+             "' of a process must be a scalar, a struct, a stream or a parameter of the dataflow function");
+}
+
+}  // namespace hlsc

@@ -1,0 +1,221 @@
+/// The builder behind build.h: one class, one source file per concept.
+#ifndef HLSC_DESIGN_PROCESS_BUILDER_H
+#define HLSC_DESIGN_PROCESS_BUILDER_H
+
+#include <llvm/Analysis/AssumptionCache.h>
+#include <llvm/Analysis/TargetLibraryInfo.h>
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "design/build.h"
+#include "design/names.h"
+#include "middle/array_access.h"
+#include "middle/llvm_headers.h"
+
+namespace hlsc {
+
+/// An array dimension split over banks.
+struct Partition {
+  enum Kind { kNone, kComplete, kCyclic, kBlock } kind = kNone;
+  uint64_t factor = 1;
+};
+
+/// Something in memory: local array, static, or what a pointer parameter points to.
+struct MemoryObject {
+  std::string name;
+  llvm::Type* type = nullptr;  ///< Of allocas and globals.
+  std::vector<MemoryLeaf> leaves;
+  std::vector<unsigned> widths;  ///< Of each leaf.
+  std::vector<bool> signedness;
+  std::vector<std::string> leaf_names;
+  int argument = -1;
+  int llvm_argument = -1;
+  bool is_aggregate =
+      false;  ///< AGGREGATE on an array of structs outside that is only read: one word an element.
+  bool is_scalar_port = false;                          ///< Leaves are scalar ports, not memories.
+  std::vector<Partition> partitions;                    ///< By dimension.
+  std::map<std::pair<size_t, uint64_t>, int> memories;  ///< (leaf, bank) -> index in Process::memories.
+  std::map<size_t, int> inputs, outputs;                ///< leaf -> index in Process::scalars.
+};
+
+/// Where a load or store goes.
+struct Address {
+  MemoryObject* object = nullptr;
+  size_t leaf = 0;
+  std::vector<ValueId> subscripts;  ///< One per dimension of the leaf, or a single linear one.
+  bool is_linear = false;
+};
+
+/// Builds one function's process, or the region of the top.
+class ProcessBuilder {
+ public:
+  ProcessBuilder(const Program& program, const MiddleResult& middle, const std::string& function,
+                 const std::string& module_name);
+  Process build();
+  Region build_region(const std::vector<Process>& processes);
+
+ private:
+  /// Address and bank of a subscript list; the bank is a value of its own when it is not constant.
+  struct Place {
+    ValueId bank;
+    ValueId address;
+    uint64_t banks = 1;
+  };
+
+  // Blocks and control flow (build.cpp)
+  [[noreturn]] void refuse(const llvm::Instruction& instruction, const std::string& sentence);
+  void build_block(llvm::BasicBlock& block);
+  ValueId returned_value(llvm::ReturnInst& ret);
+  static std::string block_name(const llvm::BasicBlock& block);
+  void copy_inout_ports();
+  void read_loop(llvm::BasicBlock& block);
+  void finish_block(llvm::BasicBlock& block);
+  Terminator terminator_of(llvm::Instruction& instruction);
+
+  // Parameters: streams, scalar ports, arrays outside (build_parameters.cpp)
+  void read_parameters();
+  void read_parameter(llvm::Argument& argument, const Parameter& parameter, int index);
+  void add_scalar_input(llvm::Argument& argument, const Parameter& parameter, int index);
+  ValueId add_input(const ScalarPort& port, unsigned type_width);
+  void add_layout(MemoryObject& object, const TypeLayout& layout, const std::vector<uint64_t>& dims);
+  void add_result_object(llvm::Argument& argument);
+  void add_parameter_object(llvm::Argument& argument, const Parameter& parameter, int index);
+  bool is_aggregated(llvm::Argument& argument);
+  bool is_stored_to(llvm::Argument& argument);
+  uint64_t port_depth(const std::string& name);
+  /// A pointer to one object: only its first element is touched.
+  bool has_only_constant_zero_accesses(llvm::Value& pointer, uint64_t bytes);
+  /// Which leaves of scalar ports are read and which written; both makes a register that starts from the
+  /// input.
+  void find_scalar_port_uses();
+  void add_scalar_leaf(MemoryObject& object, size_t leaf, bool read, bool written);
+  /// Structs of up to 16 bytes return in one or two integers, which hold them as memory does.
+  static unsigned returned_bits(llvm::Type* type);
+
+  // Memories and their banks (build_memories.cpp)
+  MemoryObject& object_at(llvm::Value* pointer, const llvm::Instruction& access);
+  std::string object_name(llvm::Value* pointer);
+  void read_partitions(llvm::Value* pointer, MemoryObject& object);
+  static bool is_fully_partitioned(const MemoryObject& object);
+  static uint64_t bank_count(const Partition& partition, uint64_t size);
+  int memory_of(MemoryObject& object, llvm::Value* pointer, size_t leaf, uint64_t bank);
+  bool is_constant_table(const llvm::GlobalVariable& global);
+  bool is_independent(llvm::Value* pointer);
+  /// Contents of one bank; a single word stands for all words alike.
+  std::vector<llvm::APInt> initial_words(llvm::GlobalVariable& global, const MemoryObject& object,
+                                         size_t leaf, uint64_t bank, uint64_t depth);
+  /// Bank and word address of an element with known subscripts.
+  static std::pair<uint64_t, uint64_t> place(const MemoryObject& object, const MemoryLeaf& shape,
+                                             const std::vector<uint64_t>& subscripts);
+
+  // Where a pointer leads (build_addresses.cpp)
+  Address decode(llvm::Value* pointer, const llvm::Instruction& access);
+  Address decode_element(llvm::CallInst& call, const llvm::Instruction& access);
+  void check_width(const MemoryLeaf& leaf, const llvm::Instruction& access);
+  Place place_of(const Address& address, const llvm::Instruction& access);
+  ValueId combined(ValueId outer, uint64_t size, ValueId inner, const llvm::Instruction& access);
+  ValueId divided(ValueId value, uint64_t divisor, const llvm::Instruction& access);
+  ValueId remainder_of(ValueId value, uint64_t divisor, const llvm::Instruction& access);
+
+  // Loads and stores (build_accesses.cpp)
+  static bool is_store(const llvm::Instruction& instruction);
+  ValueId load(llvm::Instruction& instruction);
+  /// Bits of an aggregate's word below a leaf.
+  static unsigned low_bit(const MemoryObject& object, size_t leaf);
+  /// A member of an element outside: all members of one element share one access.
+  ValueId load_member(const Address& address, const Place& place, llvm::Value* pointer,
+                      llvm::Instruction& instruction);
+  uint64_t checked_bank(const Place& place, const MemoryObject& object, const llvm::Instruction& instruction);
+  ValueId store(llvm::Instruction& instruction);
+  void store_output(MemoryObject& object, size_t leaf, ValueId data, ValueId predicate,
+                    llvm::Instruction& instruction);
+
+  // Operations (build_operations.cpp)
+  bool is_zero(ValueId id) const {
+    return process_[id].kind == OpKind::kConstant && process_[id].constant.isZero();
+  }
+  bool is_constant(ValueId id) const { return process_[id].kind == OpKind::kConstant; }
+  ValueId add(Operation operation, const llvm::Instruction& source, const std::string& wanted_name = "");
+  /// As add, for operations without effect: one that is there already in the block is used again.
+  ValueId add_shared(const Operation& operation, const llvm::Instruction& source,
+                     const std::string& wanted_name = "");
+  static const char* kind_name(OpKind kind);
+  ValueId constant_value(const llvm::APInt& constant);
+  ValueId binary(OpKind kind, ValueId first, ValueId second, const llvm::Instruction& source);
+  ValueId compare(CompareKind kind, ValueId first, ValueId second, const llvm::Instruction& source);
+  ValueId select(ValueId condition, ValueId yes, ValueId no, const llvm::Instruction& source,
+                 const std::string& name = "");
+  ValueId resized(ValueId value, unsigned width, bool is_signed, const llvm::Instruction& source);
+  ValueId value_of(llvm::Value* value);
+
+  // One instruction to one operation (build_instructions.cpp)
+  void build_instruction(llvm::Instruction& instruction);
+  std::string name_of(llvm::Instruction& instruction);
+  ValueId translated(llvm::Instruction& instruction);
+  /// Selects between 1-bit values are gates.
+  ValueId translated_select(llvm::Instruction& instruction, Operation operation);
+  static CompareKind compare_kind(llvm::CmpInst::Predicate predicate);
+  ValueId predicate_of(llvm::Value* predicate);
+  ValueId translated_call(llvm::CallInst& call);
+  int stream_of(llvm::CallInst& call, bool is_input, unsigned width);
+  void refine(ValueId id, llvm::Instruction& instruction);
+
+  // LLVM intrinsics as operations (build_intrinsics.cpp)
+  ValueId translated_intrinsic(llvm::IntrinsicInst& call);
+  ValueId saturated(llvm::IntrinsicInst& call, ValueId first, ValueId second);
+  ValueId funnel_shift(llvm::IntrinsicInst& call);
+  ValueId bit_of(ValueId value, unsigned bit, const llvm::Instruction& source);
+  ValueId population(llvm::IntrinsicInst& call, ValueId value);
+  ValueId leading_zeros(llvm::IntrinsicInst& call, ValueId value, bool from_top);
+  ValueId permuted(llvm::IntrinsicInst& call, ValueId value, unsigned group);
+
+  // Dataflow regions (build_region.cpp)
+  int process_called(const llvm::CallInst& call) const;
+  void build_instance(llvm::CallInst& call, int index);
+  ChannelPort channel_port(llvm::CallInst& call, llvm::Value* array, const Memory& memory);
+  RegionChannel new_channel(llvm::CallInst& call, llvm::Value* array);
+  int region_stream(llvm::CallInst& call, const Stream& port);
+  RegionStream new_region_stream(llvm::Value* base, uint64_t offset, unsigned width);
+  /// What feeds a scalar port of an instance: an output of the head, or for the instance's own outputs a port
+  /// of the top.
+  int region_scalar(llvm::CallInst& call, const ScalarPort& port, const std::string& instance);
+  /// The scalar at `port.byte_offset` behind a pointer that an instance takes.
+  ValueId pointed_scalar(llvm::CallInst& call, llvm::Value* pointer, const ScalarPort& port);
+
+  const MiddleResult& middle_;
+  llvm::Function& function_;
+  const llvm::DataLayout& layout_;
+  const FunctionInfo* info_ = nullptr;
+  llvm::TargetLibraryInfoImpl library_info_;
+  llvm::TargetLibraryInfo library_;
+  llvm::AssumptionCache assumptions_;
+  llvm::DominatorTree dominators_;
+  llvm::LoopInfo loops_;
+  llvm::ScalarEvolution evolution_;
+  Region* region_ = nullptr;
+  const std::vector<Process>* region_processes_ = nullptr;
+  std::map<std::pair<llvm::Value*, uint64_t>, int> region_streams_;
+  std::map<llvm::Value*, int> region_channels_;
+  Process process_;
+  NameTable names_;
+  int current_block_ = 0;
+  int result_port_ = -1;
+  llvm::Value* last_object_pointer_ = nullptr;
+  std::map<llvm::Value*, ValueId> values_;
+  std::map<std::pair<unsigned, std::string>, ValueId> constants_;
+  std::map<std::tuple<int, OpKind, unsigned, unsigned, CompareKind, std::vector<ValueId>>, ValueId> shared_;
+  std::map<std::tuple<int, int, ValueId>, ValueId> shared_words_;  ///< Loads of whole elements from ports.
+  std::map<llvm::BasicBlock*, int> block_ids_;
+  std::map<llvm::Value*, MemoryObject> objects_;
+  std::map<std::pair<MemoryObject*, size_t>, ValueId> input_values_;
+  std::vector<std::pair<int, ValueId>> entry_copies_;
+  std::map<std::pair<llvm::Value*, uint64_t>, int> streams_;
+  std::set<int> stream_used_;
+};
+
+}  // namespace hlsc
+
+#endif

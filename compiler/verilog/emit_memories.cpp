@@ -1,0 +1,155 @@
+#include "verilog/process_emitter.h"
+#include "verilog/text.h"
+
+namespace hlsc {
+
+void ProcessEmitter::emit_memory(size_t index) {
+  const Memory& memory = process_.memories[index];
+  std::vector<ValueId>& accesses = accesses_[index];
+  if (accesses.empty()) return;
+  wires_ << "\n    // memory " << memory.name << ": " << memory.depth << " x " << memory.width << "\n";
+  bool is_table = memory.kind == MemoryKind::kRom && memory.load_latency == 0;
+  if (is_table) emit_table(memory);
+  if (memory.kind == MemoryKind::kRegisters) emit_register_memory(memory, accesses);
+  if (memory.kind == MemoryKind::kRam || (memory.kind == MemoryKind::kRom && !is_table))
+    emit_ram(memory, accesses);
+  if (memory.kind == MemoryKind::kPort) emit_memory_port(memory, accesses);
+}
+
+ProcessEmitter::PortSignals ProcessEmitter::port_of(const Memory& memory,
+                                                    const std::vector<ValueId>& accesses, OpKind kind) {
+  PortSignals port;
+  std::vector<ValueId> users;
+  for (ValueId id : accesses)
+    if (process_[id].kind == kind) users.push_back(id);
+  for (size_t i = 0; i < users.size(); ++i) {
+    const Operation& op = process_[users[i]];
+    Place at{op.block, schedule_.start[users[i]]};
+    std::string when = kind == OpKind::kLoad ? happens(at) : happens(op, at);
+    port.enable += (i ? " | " : "") + (users.size() > 1 ? "(" + when + ")" : when);
+    std::string address = text(op.operands[0], address_bits(memory.depth), at);
+    std::string data = kind == OpKind::kStore ? text(op.operands[1], memory.width, at) : "";
+    std::string separator =
+        i + 1 < users.size()
+            ? active(at) +
+                  (op.predicate != kNoValue && kind == OpKind::kStore ? " & " + bit(op.predicate, at) : "") +
+                  " ? "
+            : "";
+    port.address += separator + address + (separator.empty() ? "" : " : ");
+    port.data += separator + data + (separator.empty() ? "" : " : ");
+  }
+  return port;
+}
+
+void ProcessEmitter::emit_ram(const Memory& memory, const std::vector<ValueId>& accesses) {
+  PortSignals write = port_of(memory, accesses, OpKind::kStore),
+              read = port_of(memory, accesses, OpKind::kLoad);
+  unsigned address = address_bits(memory.depth);
+  const std::string& name = memory.name;
+  if (read.enable.empty()) return;
+  registers_ << "    wire" << range_text(memory.width) << " " << name << "_q;\n";
+  auto or_zero = [](const std::string& value, unsigned width) {
+    return value.empty() ? std::to_string(width) + "'d0" : value;
+  };
+  if (memory.initial.empty()) {
+    bodies_ << "\n    ram_1r1w #(\n        .WIDTH(" << memory.width << "),\n        .DEPTH(" << memory.depth
+            << "),\n        .ADDRESS_WIDTH(" << address << ")\n    ) " << name
+            << " (\n        .clk(clk),\n        .write_enable(" << or_zero(write.enable, 1)
+            << "),\n        .write_address(" << or_zero(write.address, address) << "),\n        .write_data("
+            << or_zero(write.data, memory.width) << "),\n        .read_enable(" << read.enable
+            << "),\n        .read_address(" << read.address << "),\n        .read_data(" << name
+            << "_q)\n    );\n";
+    return;
+  }
+  std::string array = names_.unique(name + "_words"), q = names_.unique(name + "_read");
+  bodies_ << "\n    reg" << range_text(memory.width) << " " << array << " [0:" << memory.depth - 1
+          << "];\n    reg" << range_text(memory.width) << " " << q << ";\n    assign " << name << "_q = " << q
+          << ";\n";
+  emit_initial_words(memory, array);
+  bodies_ << "    always @(posedge clk) begin\n";
+  if (!write.enable.empty())
+    bodies_ << "        if (" << write.enable << ") " << array << "[" << write.address
+            << "] <= " << write.data << ";\n";
+  bodies_ << "        if (" << read.enable << ") " << q << " <= " << array << "[" << read.address
+          << "];\n    end\n";
+}
+
+void ProcessEmitter::emit_initial_words(const Memory& memory, const std::string& array) {
+  bool is_zero = memory.initial.size() == 1 && memory.initial[0].isZero();
+  std::string index = names_.unique(memory.name + "_index");
+  if (is_zero || memory.initial.size() == 1) {
+    bodies_ << (is_zero ? "    // synthesis translate_off\n" : "") << "    integer " << index
+            << ";\n    initial\n        for (" << index << " = 0; " << index << " < " << memory.depth << "; "
+            << index << " = " << index << " + 1)\n            " << array << "[" << index
+            << "] = " << literal_text(memory.initial[0].zextOrTrunc(memory.width), memory.width) << ";\n"
+            << (is_zero ? "    // synthesis translate_on\n" : "");
+    return;
+  }
+  bodies_ << "    initial begin\n";
+  for (size_t i = 0; i < memory.initial.size(); ++i)
+    bodies_ << "        " << array << "[" << i
+            << "] = " << literal_text(memory.initial[i].trunc(memory.width), memory.width) << ";\n";
+  bodies_ << "    end\n";
+}
+
+void ProcessEmitter::emit_table(const Memory& memory) {
+  unsigned address = address_bits(memory.depth);
+  functions_ << "\n    function" << range_text(memory.width) << " " << memory.name << "_at;\n        input"
+             << range_text(address) << " address;\n        case (address)\n";
+  for (size_t i = 0; i < memory.depth; ++i) {
+    const llvm::APInt& word = memory.initial.size() == 1 ? memory.initial[0] : memory.initial[i];
+    functions_ << "            " << address << "'d" << i << ": " << memory.name
+               << "_at = " << literal_text(word.zextOrTrunc(memory.width), memory.width) << ";\n";
+  }
+  functions_ << "            default: " << memory.name << "_at = " << memory.width
+             << "'d0;\n        endcase\n    endfunction\n";
+}
+
+void ProcessEmitter::emit_register_memory(const Memory& memory, const std::vector<ValueId>& accesses) {
+  bool is_array = memory.depth > 1;
+  registers_ << "    reg" << range_text(memory.width) << " " << memory.name
+             << (is_array ? " [0:" + std::to_string(memory.depth - 1) + "]" : "") << ";\n";
+  for (ValueId id : accesses) {
+    const Operation& op = process_[id];
+    if (op.kind != OpKind::kStore) continue;
+    Place at{op.block, schedule_.start[id]};
+    std::string target =
+        memory.name + (is_array ? "[" + text(op.operands[0], address_bits(memory.depth), at) + "]" : "");
+    data_ << "        if (" << happens(op, at) << ") " << target
+          << " <= " << text(op.operands[1], memory.width, at) << ";\n";
+  }
+  if (memory.initial.empty()) return;
+  for (uint64_t i = 0; i < memory.depth; ++i) {
+    const llvm::APInt& word = memory.initial.size() == 1 ? memory.initial[0] : memory.initial[i];
+    data_resets_ << "            " << memory.name << (is_array ? "[" + std::to_string(i) + "]" : "")
+                 << " <= " << literal_text(word.zextOrTrunc(memory.width), memory.width) << ";\n";
+  }
+}
+
+void ProcessEmitter::emit_memory_port(const Memory& memory, const std::vector<ValueId>& accesses) {
+  PortSignals write = port_of(memory, accesses, OpKind::kStore),
+              read = port_of(memory, accesses, OpKind::kLoad);
+  unsigned address = address_bits(memory.depth);
+  int port = 0;
+  auto output = [&](const std::string& name, unsigned width, const std::string& value) {
+    ports_ << ",\n    output wire" << range_text(width) << " " << name;
+    bodies_ << "    assign " << name << " = " << value << ";\n";
+  };
+  bodies_ << "\n";
+  if (!read.enable.empty()) {
+    std::string q = memory.name + "_q" + std::to_string(port);
+    output(memory.name + "_address" + std::to_string(port), address, read.address);
+    output(memory.name + "_ce" + std::to_string(port), 1, read.enable);
+    ports_ << ",\n    input wire" << range_text(memory.width) << " " << q;
+    registers_ << "    wire" << range_text(memory.width) << " " << memory.name << "_q = " << q << ";\n";
+    ++port;
+  }
+  if (!write.enable.empty()) {
+    output(memory.name + "_address" + std::to_string(port), address, write.address);
+    output(memory.name + "_ce" + std::to_string(port), 1, write.enable);
+    output(memory.name + "_we" + std::to_string(port), 1, write.enable);
+    output(memory.name + "_d" + std::to_string(port), memory.width, write.data);
+  }
+}
+
+}  // namespace hlsc

@@ -1,0 +1,156 @@
+/// The emitter behind emit_process.h: one class, one source file per concept.
+#ifndef HLSC_VERILOG_PROCESS_EMITTER_H
+#define HLSC_VERILOG_PROCESS_EMITTER_H
+
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "design/design.h"
+#include "design/names.h"
+#include "schedule/schedule_process.h"
+
+namespace hlsc {
+
+/// Writes one module. The parts add to text streams, one per place in the module; `assembled` joins them.
+class ProcessEmitter {
+ public:
+  ProcessEmitter(const Process& process, const ProcessSchedule& schedule);
+  /// A head without state: its outputs follow its inputs.
+  std::string run_combinational();
+  std::string run();
+
+ private:
+  struct Place {
+    int block, cycle;
+  };
+  /// When a loop knows that it ends. Iterations that were issued before are taken back.
+  struct LoopExit {
+    ValueId condition = kNoValue;  ///< kNoValue: never.
+    int cycle = 0;
+    bool is_known_at_issue = true;
+  };
+  /// Blocked accesses: of plain blocks, and by loop of the stages up to the split and behind it.
+  struct Stalls {
+    std::string plain;
+    std::map<int, std::string> front, back;
+  };
+  struct PortSignals {
+    std::string enable, address, data;
+  };
+
+  // The module (emit_process.cpp)
+  const Block& block_of(int block) const { return process_.blocks[block]; }
+  const BlockSchedule& timing(int block) const { return schedule_.blocks[block]; }
+  bool is_loop(int block) const { return block_of(block).is_loop; }
+  std::string describe(int block) const;
+  void emit_operation(ValueId id, int block);
+  std::string assembled();
+  std::string state_declarations() const;
+  std::string loop_resets() const;
+  /// Verilog wants a net declared before its use; these depend on wires that depend on them in other blocks.
+  std::string forward_declarations();
+  std::string data_block();
+  std::string header();
+
+  // States, pipelines and when something happens (emit_control.cpp)
+  void name_states();
+  const std::string& state_name(int block, int cycle) const;
+  /// A block without work: control goes to its target at once.
+  bool is_passed_over(int block) const;
+  /// Control is at `at` in this clock; may be stalled.
+  std::string active(Place at) const;
+  /// The clock enable of stage `cycle`.
+  std::string enable(Place at) const;
+  std::string happens(Place at);
+  std::string happens(const Operation& op, Place at);
+  /// Last stage with a stream read, if the stages behind it can go on without it; -1 when all stages move
+  /// together.
+  int split_stage(int block) const;
+  void emit_block(int block);
+  /// Statements that bring control from the end of block `from` to `to`.
+  std::string go_to(int to, int from, int from_cycle, const std::string& indent);
+  std::string transition(int block, int cycle, const std::string& indent);
+  std::string switch_transition(int block, int cycle, const std::string& indent);
+  void emit_plain_control(int block);
+  void emit_loop_control(int block);
+  LoopExit loop_exit(int block) const;
+  /// The iteration in `cycle` is the last one; the condition must be there.
+  std::string leaves(int block, int cycle);
+  std::string stays(int block, int cycle);
+  /// Whether the next iteration enters.
+  std::string issue_of(int block, const LoopExit& exit);
+  void emit_pipeline(int block, const LoopExit& exit);
+  std::string transition_of_loop(int block, int cycle);
+  void emit_phi_updates(int block);
+
+  // Values and the registers that carry them (emit_values.cpp)
+  /// The signal that holds `id` where control is at `at`; notes the registers this takes.
+  std::string signal(ValueId id, Place at);
+  /// The register that keeps `id` after its block.
+  std::string held(ValueId id);
+  /// The low `width` bits of the value.
+  std::string text(ValueId id, unsigned width, Place at);
+  std::string bit(ValueId id, Place at) { return text(id, 1, at); }
+  bool is_constant(ValueId id) const { return process_[id].kind == OpKind::kConstant; }
+  static std::string range_text_spaced(unsigned width);
+  void emit_held_values();
+  void emit_stages();
+
+  // Operations as expressions (emit_expressions.cpp)
+  std::string expression(const Operation& op, Place at);
+  bool is_all_ones(ValueId id, unsigned width) const;
+  /// Factors at the widths they really have: a DSP block takes signed factors, and a tool that sees a factor
+  /// extended to the product's width takes several blocks.
+  std::string product(const Operation& op, Place at);
+  std::string shifted_left(const Operation& op, Place at);
+  std::string amount(const Operation& op, Place at);
+  std::string shifted_right(const Operation& op, Place at);
+  /// Bits [low + width - 1 : low] of a signal of `bits`, filled above its end.
+  std::string slice(const std::string& name, unsigned bits, uint64_t low, unsigned width, bool fill_sign);
+  /// A wire of its own for an expression that Verilog cannot slice.
+  std::string auxiliary(const Operation& op, unsigned width, const std::string& value);
+  std::string wide_slice(const Operation& op, const std::string& value, unsigned width);
+  std::string zero_extended(const Operation& op, Place at);
+  std::string sign_extended(const Operation& op, Place at);
+  /// A value whose representation is as wide as its type, as a number with sign of `width` bits.
+  std::string sign_filled(ValueId id, unsigned width, Place at);
+  std::string comparison(const Operation& op, Place at);
+  std::string loaded(const Operation& op, Place at);
+
+  // Memories (emit_memories.cpp)
+  void emit_memory(size_t index);
+  /// Enable, address and data of the one port that all accesses of `kind` share.
+  PortSignals port_of(const Memory& memory, const std::vector<ValueId>& accesses, OpKind kind);
+  void emit_ram(const Memory& memory, const std::vector<ValueId>& accesses);
+  /// Block RAM starts as zero on every target; other contents and simulation need to be told.
+  void emit_initial_words(const Memory& memory, const std::string& array);
+  /// A small constant table is logic; a large one is a RAM that nobody writes.
+  void emit_table(const Memory& memory);
+  void emit_register_memory(const Memory& memory, const std::vector<ValueId>& accesses);
+  void emit_memory_port(const Memory& memory, const std::vector<ValueId>& accesses);
+
+  // Streams and scalar ports (emit_ports.cpp)
+  void emit_streams();
+  void emit_stream(int index, Stalls& stalls);
+  void emit_stream_port(const Stream& stream, const std::string& strobe, const std::string& data);
+  void emit_outputs();
+
+  const Process& process_;
+  const ProcessSchedule& schedule_;
+  NameTable names_;
+  std::vector<std::string> states_;
+  std::vector<std::vector<std::string>> state_names_;  ///< By block and cycle.
+  std::map<ValueId, int> last_stage_;
+  std::set<ValueId> held_;
+  std::map<int, std::vector<ValueId>> accesses_, stream_accesses_, outputs_;
+  std::map<int, std::vector<std::string>> phi_starts_;
+  std::ostringstream ports_, registers_, functions_, wires_, stalls_, bodies_, control_, cases_, resets_,
+      data_, data_resets_;
+};
+
+}  // namespace hlsc
+
+#endif
