@@ -17,6 +17,7 @@ struct Command {
 
 Command add_import(CLI::App& app);
 Command add_render(CLI::App& app);
+Command add_mount(CLI::App& app);
 Command add_golden(CLI::App& app);
 Command add_csim(CLI::App& app);
 Command add_check(CLI::App& app);

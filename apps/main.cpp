@@ -66,9 +66,9 @@ int main(int argc, char** argv) {
   app.footer(footer);
   app.set_version_flag("--version", FLOORLINE_VERSION);
   app.require_subcommand(1);
-  const std::vector<Command> commands = {add_import(app), add_render(app), add_golden(app),
-                                         add_csim(app),   add_check(app),  add_score(app),
-                                         add_report(app), add_cosim(app),  add_cycles(app)};
+  const std::vector<Command> commands = {add_import(app), add_render(app), add_mount(app), add_golden(app),
+                                         add_csim(app),   add_check(app),  add_score(app), add_report(app),
+                                         add_cosim(app),  add_cycles(app)};
   catch_interrupts();
   return run(app, commands, argc, argv);
 }

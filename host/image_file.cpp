@@ -1,6 +1,7 @@
 #include "host/image_file.h"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <cstdint>
@@ -19,6 +20,7 @@ namespace fs = std::filesystem;
 /// grey, and allocate whatever size it claims, so both are looked at first.
 struct Outline {
   bool complete = false;
+  bool damaged = false;
   std::uint32_t width = 0, height = 0;
 };
 
@@ -28,11 +30,26 @@ std::uint32_t big_endian(std::string_view bytes) {
   return value;
 }
 
+/// Whether the check sums of all chunks agree. libpng would find out too, and print a line of its own.
+bool png_intact(std::string_view content) {
+  constexpr std::size_t signature = 8, frame = 12;  // A chunk: length, name, data, check sum.
+  std::size_t at = signature;
+  while (at + frame <= content.size()) {
+    const std::size_t length = big_endian(content.substr(at, 4));
+    if (length > content.size() - at - frame) return false;
+    const auto* checked = reinterpret_cast<const Bytef*>(content.data() + at + 4);
+    if (crc32(0, checked, static_cast<uInt>(length + 4)) != big_endian(content.substr(at + 8 + length, 4)))
+      return false;
+    at += frame + length;
+  }
+  return at == content.size();
+}
+
 Outline png_outline(std::string_view content) {
   constexpr std::size_t header_end =
       24;  // Signature, then length, name, width and height of the first chunk.
   if (content.size() < header_end || !content.ends_with("IEND\xae\x42\x60\x82")) return {};
-  return {true, big_endian(content.substr(16, 4)), big_endian(content.substr(20, 4))};
+  return {true, !png_intact(content), big_endian(content.substr(16, 4)), big_endian(content.substr(20, 4))};
 }
 
 /// Walks the segments to the pixel data: thumbnails within a segment have an end marker too.
@@ -83,7 +100,7 @@ cv::Mat read_image(const fs::path& file) {
     throw Error(fmt::format("{}: is {}x{}; scale it to at most {} pixels a side.", file.string(),
                             outline.width, outline.height, largest_side));
   }
-  const cv::Mat image = decode(content);
+  const cv::Mat image = outline.damaged ? cv::Mat() : decode(content);
   if (image.empty()) throw Error(fmt::format("{}: is damaged; copy it again.", file.string()));
   if (image.type() != CV_8UC1 && image.type() != CV_8UC3) {
     throw Error(fmt::format("{}: has {} channels of {} bits; convert it to 8-bit grey or colour.",

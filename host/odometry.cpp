@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "host/atomic_file.h"
 #include "host/error.h"
@@ -14,6 +15,24 @@ namespace {
 
 constexpr auto odometry_header = "frame,timestamp_s,x_m,y_m,yaw_rad";
 constexpr double rigid_tolerance = 1e-3;  // KITTI prints seven digits.
+/// No robot with wheels moves farther from one frame to the next.
+constexpr double farthest_step_m = 10;
+/// Farther from the origin of the odometry, a double no longer holds the motion between two frames well.
+constexpr double farthest_place_m = 1e7;
+
+/// Refuses a place that cannot be, or that no robot reaches from the row before.
+void require_reachable(const std::filesystem::path& file, int line, const Eigen::Vector3d& place,
+                       const std::optional<Eigen::Vector3d>& before) {
+  if (place.lpNorm<Eigen::Infinity>() > farthest_place_m) {
+    refuse_line(file, line,
+                fmt::format("the robot is farther than {:g} m from the origin", farthest_place_m));
+  }
+  if (before && (place - *before).norm() > farthest_step_m) {
+    refuse_line(file, line,
+                fmt::format("the robot jumps by {:.3g} m, more than {:g} m from one frame to the next",
+                            (place - *before).norm(), farthest_step_m));
+  }
+}
 
 }  // namespace
 
@@ -38,7 +57,12 @@ std::vector<OdometrySample> read_odometry(const std::filesystem::path& file) {
     if (!samples.empty() && timestamp_s <= samples.back().timestamp_s) {
       refuse_line(file, row.line, "the timestamp does not grow");
     }
-    samples.push_back({timestamp_s, {row.values[2], row.values[3], row.values[4]}});
+    const PlanarPose pose = {row.values[2], row.values[3], row.values[4]};
+    std::optional<Eigen::Vector3d> before;
+    if (!samples.empty()) before = isometry(samples.back().pose).translation();
+    require_reachable(file, row.line, isometry(pose).translation(), before);
+    if (std::abs(pose.yaw_rad) > farthest_place_m) refuse_line(file, row.line, "the yaw is no angle");
+    samples.push_back({timestamp_s, pose});
   }
   return samples;
 }
@@ -64,6 +88,9 @@ std::vector<Eigen::Isometry3d> read_kitti_poses(const std::filesystem::path& fil
         rotation.determinant() < 0) {
       refuse_line(file, row.line, "the pose is no rigid motion");
     }
+    std::optional<Eigen::Vector3d> before;
+    if (!poses.empty()) before = poses.back().translation();
+    require_reachable(file, row.line, pose.translation(), before);
     poses.push_back(pose);
   }
   return poses;

@@ -28,12 +28,12 @@ struct OdometrySample {
 };
 
 /// Reads odometry.csv. Throws Error for a line that is malformed or not finite, a frame that is missing or
-/// out of order, and a timestamp that does not grow.
+/// out of order, a timestamp that does not grow, and a place that no robot reaches from the row before.
 std::vector<OdometrySample> read_odometry(const std::filesystem::path& file);
 void write_odometry(const std::vector<OdometrySample>& samples, const std::filesystem::path& file);
 
 /// Reads KITTI's poses.txt: a 3x4 matrix a line, row-major. Throws Error for a line that is malformed, not
-/// finite or no rigid motion.
+/// finite, no rigid motion, or a place that no robot reaches from the row before.
 std::vector<Eigen::Isometry3d> read_kitti_poses(const std::filesystem::path& file);
 void write_kitti_poses(const std::vector<Eigen::Isometry3d>& poses, const std::filesystem::path& file);
 

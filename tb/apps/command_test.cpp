@@ -308,4 +308,13 @@ TEST_F(CommandTest, InterruptLeavesNothing) {
   EXPECT_EQ(entries(folder_), before);
 }
 
+TEST_F(CommandTest, MountIsFittedToTheImages) {
+  const Outcome fitted = run("mount sequence --output fitted.yaml --json -");
+  ASSERT_EQ(fitted.code, 0) << fitted.err;
+  const json facts = json::parse(fitted.out);
+  EXPECT_LE(facts["fitted"]["residual"], facts["before"]["residual"]);
+  EXPECT_NEAR(facts["fitted"]["height_m"].get<double>(), facts["before"]["height_m"].get<double>(), 0.1);
+  EXPECT_NE(text_of(folder_ / "fitted.yaml").find("robot_from_camera"), std::string::npos);
+}
+
 }  // namespace

@@ -61,7 +61,9 @@ TEST(ReadImage, RefusesADamagedFile) {
   std::string content = read_text(folder / "a.png");
   content[content.size() / 2] ^= 1;
   write_text(folder / "a.png", content);
+  testing::internal::CaptureStderr();
   EXPECT_REFUSED(read_image(folder / "a.png"), "is damaged; copy it again");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "") << "the sentence is ours alone";
   write_text(folder / "b.jpg", "\xff\xd8 and no segments");
   EXPECT_REFUSED(read_image(folder / "b.jpg"), "is truncated");
 }

@@ -38,6 +38,9 @@ TEST(Odometry, RefusesEachFaultWithASentence) {
   EXPECT_REFUSED(read(folder, "0,0.5,0,0,0\n1,0.4,0,0,0\n"), "the timestamp does not grow");
   EXPECT_REFUSED(read(folder, "0,0,nan,0,0\n"), "'nan' is no finite number");
   EXPECT_REFUSED(read(folder, "0,0,0,0\n"), "4 numbers instead of 5");
+  EXPECT_REFUSED(read(folder, "0,0,1e300,0,0\n"), "odometry.csv:2: the robot is farther than 1e+07 m");
+  EXPECT_REFUSED(read(folder, "0,0,0,0,0\n1,0.1,500,0,0\n"), "odometry.csv:3: the robot jumps by 500 m");
+  EXPECT_REFUSED(read(folder, "0,0,0,0,1e300\n"), "the yaw is no angle");
 }
 
 TEST(KittiPoses, AreWrittenAndReadBack) {
@@ -56,6 +59,8 @@ TEST(KittiPoses, RefusesWhatIsNoMotion) {
   EXPECT_REFUSED(read_kitti_poses(folder / "poses.txt"), "poses.txt:2: the pose is no rigid motion");
   write_text(folder / "poses.txt", "-1 0 0 0 0 1 0 0 0 0 1 0\n");
   EXPECT_REFUSED(read_kitti_poses(folder / "poses.txt"), "no rigid motion");
+  write_text(folder / "poses.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 0 0 1 0 0 0 0 1 77\n");
+  EXPECT_REFUSED(read_kitti_poses(folder / "poses.txt"), "poses.txt:2: the robot jumps by 77 m");
 }
 
 TEST(TumTrajectory, IsInterpolatedBetweenItsPoses) {
