@@ -6,10 +6,11 @@
 #include <numbers>
 
 #include "command.h"
-#include "drive.h"
 #include "golden/luma.h"
 #include "host/mount.h"
 #include "host/mount_fit.h"
+#include "host/parameters.h"
+#include "host/sequence.h"
 #include "output.h"
 #include "progress.h"
 
@@ -34,13 +35,15 @@ constexpr const char* footer =
 
 double degrees(double angle_rad) { return angle_rad * 180 / std::numbers::pi; }
 
-/// All frames of a drive, grey and rectified.
-std::vector<cv::Mat> grey_frames(Drive& drive) {
+/// All frames, grey and rectified.
+std::vector<cv::Mat> grey_frames(const Sequence& sequence) {
+  const std::optional<golden::Lens> lens = rectification(sequence.camera());
   std::vector<cv::Mat> frames;
   Progress progress("read");
-  for (int i = 0; i < drive.frame_count(); ++i) {
-    frames.push_back(golden::luma(drive.next().image));
-    progress.advance(i + 1, drive.frame_count());
+  for (int i = 0; i < sequence.frame_count(); ++i) {
+    const cv::Mat grey = golden::luma(sequence.frame(i));
+    frames.push_back(lens ? lens->rectify(grey) : grey);
+    progress.advance(i + 1, sequence.frame_count());
   }
   return frames;
 }
@@ -59,10 +62,11 @@ nlohmann::json facts(const MountAngles& angles, double residual) {
 }
 
 ExitCode run(const Options& options) {
-  Drive drive(options.sequence, Settings{}, options.exact_poses ? PoseSource::poses : PoseSource::odometry);
-  const Sequence& sequence = drive.sequence();
+  const Sequence sequence(options.sequence);
   const MountAngles before = mount_angles(sequence.robot_from_camera());
-  const MountFit fit = fit_mount(sequence.camera(), before, grey_frames(drive), drive.world_from_robot());
+  const auto poses =
+      sequence.world_from_robot(options.exact_poses ? PoseSource::poses : PoseSource::odometry);
+  const MountFit fit = fit_mount(sequence.camera(), before, grey_frames(sequence), poses);
   options.results.text(text("before", before, fit.residual_before));
   options.results.text(text("fitted", fit.angles, fit.residual));
   options.results.json({{"before", facts(before, fit.residual_before)},

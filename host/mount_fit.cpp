@@ -156,6 +156,8 @@ MountFit fit_mount(const Camera& camera, const MountAngles& guess, const std::ve
     fit.residual = cv::DownhillSolver::create(residual, step, until)->minimize(x);
     fit.angles = residual->angles(x.ptr<double>());
   }
+  // The coarse levels can lead away from a good guess, where a thing in the corridor outweighs the floor.
+  if (fit.residual > fit.residual_before) fit = {guess, fit.residual_before, fit.residual_before, fit.pairs};
   return fit;
 }
 

@@ -24,7 +24,8 @@ struct MountFit {
 /// starting from `guess`. It looks only at the corridor ahead that the robot drives through, 1.5 camera
 /// heights to either side, and each pixel counts up to a cap, so that a few things that stand there do not
 /// decide. frames: CV_8UC1, rectified; world_from_robot: a pose a frame. The guess must be good to some three
-/// degrees and a tenth of the height. Roll shows least of the three in a narrow corridor. Throws Error when
+/// degrees and a tenth of the height. A fit that explains the images less well than the
+/// guess is dropped for the guess. Roll shows least of the three in a narrow corridor. Throws Error when
 /// the robot does not drive a quarter of the camera's height between frames of the sequence, or no floor is
 /// in view.
 MountFit fit_mount(const Camera& camera, const MountAngles& guess, const std::vector<cv::Mat>& frames,

@@ -141,9 +141,9 @@ FrameParameters Configuration::frame_parameters(const PlannedFrame& frame, bool 
   return parameters;
 }
 
-std::optional<golden::Lens> Configuration::lens() const {
-  if (!camera_.distorted()) return std::nullopt;
-  return golden::Lens(to_opencv(camera_.matrix), camera_.distortion, camera_.size,
+std::optional<golden::Lens> rectification(const Camera& camera) {
+  if (!camera.distorted()) return std::nullopt;
+  return golden::Lens(to_opencv(camera.matrix), camera.distortion, camera.size,
                       golden::Interpolation::bilinear);
 }
 

@@ -35,6 +35,9 @@ struct Settings {
 /// frames.
 Settings paper_settings();
 
+/// The lens that rectifies the frames of a camera, bilinear; none for a camera without distortion.
+std::optional<golden::Lens> rectification(const Camera& camera);
+
 /// What a camera on a robot keeps from frame to frame.
 class Configuration {
  public:
@@ -52,8 +55,8 @@ class Configuration {
   cv::Rect roi() const { return roi_; }  ///< All columns; rows from below the horizon to the last.
   int ring_rows() const { return ring_rows_; }
 
-  /// Rectification for a camera with distortion; the parameters are for rectified frames.
-  std::optional<golden::Lens> lens() const;
+  /// Rectification of this camera's frames; the parameters are for rectified frames.
+  std::optional<golden::Lens> lens() const { return rectification(camera_); }
 
  private:
   Camera camera_;
