@@ -81,17 +81,18 @@ void ProcessBuilder::check_width(const MemoryLeaf& leaf, const Instruction& acce
 ProcessBuilder::Place ProcessBuilder::place_of(const Address& address, const Instruction& access) {
   MemoryObject& object = *address.object;
   const MemoryLeaf& shape = object.leaves[address.leaf];
+  const std::vector<Partition>& partitions = object.partitions[address.leaf];
   Place result{constant_value(APInt(64, 0)), constant_value(APInt(64, 0)), 1};
   if (address.is_linear) {
     result.address = address.subscripts[0];
     return result;
   }
-  bool registers = is_fully_partitioned(object);
+  bool registers = is_fully_partitioned(object, address.leaf);
   for (size_t d = 0; d < shape.dims.size(); ++d) {
-    uint64_t count = registers ? 1 : bank_count(object.partitions[d], shape.dims[d]);
+    uint64_t count = registers ? 1 : bank_count(partitions[d], shape.dims[d]);
     uint64_t words = (shape.dims[d] + count - 1) / count;
     ValueId subscript = address.subscripts[d];
-    bool is_block = object.partitions[d].kind == Partition::kBlock;
+    bool is_block = partitions[d].kind == Partition::kBlock;
     ValueId quotient = divided(subscript, is_block ? words : count, access);
     ValueId remainder = remainder_of(subscript, is_block ? words : count, access);
     result.bank = combined(result.bank, count, is_block ? quotient : remainder, access);

@@ -42,23 +42,35 @@ std::string ProcessBuilder::object_name(Value* pointer) {
 }
 
 void ProcessBuilder::read_partitions(Value* pointer, MemoryObject& object) {
-  object.partitions.resize(object.leaves.empty() ? 0 : object.leaves[0].dims.size());
-  for (const Directive& directive : middle_.directives.of(pointer, "ARRAY_PARTITION")) {
-    size_t dim = directive.integer("dim", 1);
-    Partition partition;
-    std::string type = directive.text("type");
-    partition.kind = directive.has("cyclic") || type == "cyclic" ? Partition::kCyclic
-                     : directive.has("block") || type == "block" ? Partition::kBlock
-                                                                 : Partition::kComplete;
-    partition.factor = directive.integer("factor", 2);
-    for (size_t d = 0; d < object.partitions.size(); ++d)
-      if (dim == 0 || dim == d + 1) object.partitions[d] = partition;
-  }
+  for (const MemoryLeaf& leaf : object.leaves) object.partitions.emplace_back(leaf.dims.size());
+  for (const ObjectDirective& entry : middle_.directives.of(pointer, "ARRAY_PARTITION"))
+    for (size_t leaf = 0; leaf < object.leaves.size(); ++leaf)
+      if (object.leaves[leaf].byte_offset >= entry.offset &&
+          object.leaves[leaf].byte_offset < entry.offset + entry.bytes)
+        partition(object.partitions[leaf], object.leaves[leaf], entry);
 }
 
-bool ProcessBuilder::is_fully_partitioned(const MemoryObject& object) {
-  return !object.partitions.empty() &&
-         all_of(object.partitions, [](const Partition& p) { return p.kind == Partition::kComplete; });
+/// Dimensions of the leaf count from the first that lies inside the named array; those of arrays in structs
+/// behind the named ones stay whole.
+void ProcessBuilder::partition(std::vector<Partition>& partitions, const MemoryLeaf& leaf,
+                               const ObjectDirective& entry) {
+  const Directive& directive = entry.directive;
+  std::string type = directive.text("type");
+  Partition wanted;
+  wanted.kind = directive.has("cyclic") || type == "cyclic" ? Partition::kCyclic
+                : directive.has("block") || type == "block" ? Partition::kBlock
+                                                            : Partition::kComplete;
+  wanted.factor = directive.integer("factor", 2);
+  size_t first = 0, dim = directive.integer("dim", 1);
+  while (first < leaf.dims.size() && leaf.dims[first] * leaf.strides[first] > entry.bytes) ++first;
+  for (size_t d = first; d < std::min(first + entry.dims, leaf.dims.size()); ++d)
+    if (dim == 0 || dim == d - first + 1) partitions[d] = wanted;
+}
+
+bool ProcessBuilder::is_fully_partitioned(const MemoryObject& object, size_t leaf) {
+  const std::vector<Partition>& partitions = object.partitions[leaf];
+  return !partitions.empty() &&
+         all_of(partitions, [](const Partition& p) { return p.kind == Partition::kComplete; });
 }
 
 uint64_t ProcessBuilder::bank_count(const Partition& partition, uint64_t size) {
@@ -71,10 +83,10 @@ int ProcessBuilder::memory_of(MemoryObject& object, Value* pointer, size_t leaf,
   if (known != object.memories.end()) return known->second;
   const MemoryLeaf& shape = object.leaves[leaf];
   Memory memory;
-  bool registers = is_fully_partitioned(object);
+  bool registers = is_fully_partitioned(object, leaf);
   uint64_t banks = 1;
   for (size_t d = 0; d < shape.dims.size(); ++d) {
-    uint64_t count = registers ? 1 : bank_count(object.partitions[d], shape.dims[d]);
+    uint64_t count = registers ? 1 : bank_count(object.partitions[leaf][d], shape.dims[d]);
     banks *= count;
     memory.depth *= (shape.dims[d] + count - 1) / count;
   }
@@ -111,10 +123,10 @@ int ProcessBuilder::memory_of(MemoryObject& object, Value* pointer, size_t leaf,
 bool ProcessBuilder::is_constant_table(const GlobalVariable& global) { return global.isConstant(); }
 
 bool ProcessBuilder::is_independent(Value* pointer) {
-  for (const Directive& directive : middle_.directives.of(pointer, "DEPENDENCE"))
-    if (directive.has("inter") && directive.has("false")) return true;
-  return any_of(middle_.directives.of(pointer, "DEPENDENCE"), [](const Directive& d) {
-    return d.text("type") == "inter" && d.text("dependent") == "false";
+  return any_of(middle_.directives.of(pointer, "DEPENDENCE"), [](const ObjectDirective& entry) {
+    const Directive& directive = entry.directive;
+    return (directive.has("inter") || directive.text("type") == "inter") &&
+           (directive.has("false") || directive.text("dependent") == "false");
   });
 }
 
@@ -134,7 +146,7 @@ std::vector<APInt> ProcessBuilder::initial_words(GlobalVariable& global, const M
       rest /= shape.dims[d];
       offset += subscripts[d] * shape.strides[d];
     }
-    auto [at_bank, address] = place(object, shape, subscripts);
+    auto [at_bank, address] = place(object, leaf, subscripts);
     if (at_bank != bank) continue;
     Constant* value = ConstantFoldLoadFromConst(global.getInitializer(),
                                                 Type::getIntNTy(global.getContext(), shape.bytes * 8),
@@ -144,14 +156,15 @@ std::vector<APInt> ProcessBuilder::initial_words(GlobalVariable& global, const M
   return words;
 }
 
-std::pair<uint64_t, uint64_t> ProcessBuilder::place(const MemoryObject& object, const MemoryLeaf& shape,
+std::pair<uint64_t, uint64_t> ProcessBuilder::place(const MemoryObject& object, size_t leaf,
                                                     const std::vector<uint64_t>& subscripts) {
-  bool registers = is_fully_partitioned(object);
+  const MemoryLeaf& shape = object.leaves[leaf];
+  bool registers = is_fully_partitioned(object, leaf);
   uint64_t bank = 0, address = 0;
   for (size_t d = 0; d < shape.dims.size(); ++d) {
-    uint64_t count = registers ? 1 : bank_count(object.partitions[d], shape.dims[d]);
+    uint64_t count = registers ? 1 : bank_count(object.partitions[leaf][d], shape.dims[d]);
     uint64_t words = (shape.dims[d] + count - 1) / count;
-    bool is_block = object.partitions[d].kind == Partition::kBlock;
+    bool is_block = object.partitions[leaf][d].kind == Partition::kBlock;
     bank = bank * count + (is_block ? subscripts[d] / words : subscripts[d] % count);
     address = address * words + (is_block ? subscripts[d] % words : subscripts[d] / count);
   }

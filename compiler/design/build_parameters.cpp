@@ -86,6 +86,7 @@ void ProcessBuilder::add_layout(MemoryObject& object, const TypeLayout& layout,
   for (size_t d = dims.size(); d-- > 1;) strides[d - 1] = strides[d] * dims[d];
   for (const Leaf& leaf : layout.leaves) {
     object.leaves.push_back({leaf.name, leaf.byte_offset, leaf.bytes, dims, strides});
+    object.partitions.emplace_back(dims.size());
     object.widths.push_back(leaf.width);
     object.signedness.push_back(leaf.is_signed);
     object.leaf_names.push_back(leaf.name.empty() ? object.name : object.name + "_" + leaf.name);
@@ -111,7 +112,6 @@ void ProcessBuilder::add_parameter_object(Argument& argument, const Parameter& p
   object.is_scalar_port = dims.empty();
   object.is_aggregate = !dims.empty() && is_aggregated(argument) && !is_stored_to(argument);
   add_layout(object, parameter.layout, dims);
-  object.partitions.resize(dims.size());
 }
 
 bool ProcessBuilder::is_aggregated(Argument& argument) {

@@ -36,7 +36,7 @@ struct MemoryObject {
   bool is_aggregate =
       false;  ///< AGGREGATE on an array of structs outside that is only read: one word an element.
   bool is_scalar_port = false;                          ///< Leaves are scalar ports, not memories.
-  std::vector<Partition> partitions;                    ///< By dimension.
+  std::vector<std::vector<Partition>> partitions;       ///< By leaf and dimension.
   std::map<std::pair<size_t, uint64_t>, int> memories;  ///< (leaf, bank) -> index in Process::memories.
   std::map<size_t, int> inputs, outputs;                ///< leaf -> index in Process::scalars.
 };
@@ -99,7 +99,9 @@ class ProcessBuilder {
   MemoryObject& object_at(llvm::Value* pointer, const llvm::Instruction& access);
   std::string object_name(llvm::Value* pointer);
   void read_partitions(llvm::Value* pointer, MemoryObject& object);
-  static bool is_fully_partitioned(const MemoryObject& object);
+  static void partition(std::vector<Partition>& partitions, const MemoryLeaf& leaf,
+                        const ObjectDirective& entry);
+  static bool is_fully_partitioned(const MemoryObject& object, size_t leaf);
   static uint64_t bank_count(const Partition& partition, uint64_t size);
   int memory_of(MemoryObject& object, llvm::Value* pointer, size_t leaf, uint64_t bank);
   bool is_constant_table(const llvm::GlobalVariable& global);
@@ -108,7 +110,7 @@ class ProcessBuilder {
   std::vector<llvm::APInt> initial_words(llvm::GlobalVariable& global, const MemoryObject& object,
                                          size_t leaf, uint64_t bank, uint64_t depth);
   /// Bank and word address of an element with known subscripts.
-  static std::pair<uint64_t, uint64_t> place(const MemoryObject& object, const MemoryLeaf& shape,
+  static std::pair<uint64_t, uint64_t> place(const MemoryObject& object, size_t leaf,
                                              const std::vector<uint64_t>& subscripts);
 
   // Where a pointer leads (build_addresses.cpp)

@@ -105,16 +105,44 @@ void attach_to_function(Function& function, LoopInfo& loops, const Directive& di
     if (!loop_directive(*loop, "UNROLL")) attach_to_loop(*loop, parse_directive("UNROLL"));
 }
 
-/// The alloca, global or argument that a pointer is derived from.
-Value* object_of(Value* pointer) {
-  Value* object = getUnderlyingObject(pointer, 0);
-  if (auto* load = dyn_cast<LoadInst>(object)) {  // A reference kept in memory.
+/// The pointer behind references that are kept in memory.
+Value* without_references(Value* pointer) {
+  if (auto* load = dyn_cast<LoadInst>(getUnderlyingObject(pointer, 0)))
     for (User* user : load->getPointerOperand()->users())
       if (auto* store = dyn_cast<StoreInst>(user);
           store && store->getPointerOperand() == load->getPointerOperand())
-        return object_of(store->getValueOperand());
-  }
-  return object;
+        return without_references(store->getValueOperand());
+  return pointer;
+}
+
+/// The type of what a pragma names; null when only the caller of the top knows it.
+Type* named_type(Value* pointer) {
+  if (auto* alloca = dyn_cast<AllocaInst>(pointer)) return alloca->getAllocatedType();
+  if (auto* global = dyn_cast<GlobalVariable>(pointer)) return global->getValueType();
+  if (auto* gep = dyn_cast<GEPOperator>(pointer)) return gep->getResultElementType();
+  return nullptr;
+}
+
+/// The object of a pragma and the part of it that is named. A struct as a whole has no subscripts: its first
+/// member is meant, which has the same address.
+ObjectDirective object_directive(const Marker& marker) {
+  Value* pointer = without_references(marker.variable);
+  const DataLayout& layout = marker.call->getDataLayout();
+  ObjectDirective made;
+  made.object = getUnderlyingObject(pointer, 0);
+  made.directive = marker.directive;
+  made.location = location_of(*marker.call);
+  APInt offset(64, 0);
+  pointer->stripAndAccumulateConstantOffsets(layout, offset, /*AllowNonInbounds=*/true);
+  made.offset = offset.getZExtValue();
+  Type* type = named_type(pointer);
+  for (auto* structure = dyn_cast_or_null<StructType>(type); structure && structure->getNumElements();
+       structure = dyn_cast<StructType>(type))
+    type = structure->getElementType(0);
+  if (!type || !type->isSized()) return made;
+  made.bytes = layout.getTypeAllocSize(type);
+  for (; isa<ArrayType>(type); type = type->getArrayElementType()) ++made.dims;
+  return made;
 }
 
 /// Refuses numbers that mean nothing.
@@ -125,22 +153,22 @@ void check_numbers(const Directive& directive, const SourceLocation& where) {
     try {
       value = directive.integer(option, 0);
     } catch (const std::invalid_argument&) {
-      throw CompileError(where, "'" + directive.text(option) + "' is no number for " + option + " of pragma '" +
-                                    directive.kind + "'; write an integer constant");
+      throw CompileError(where, "'" + directive.text(option) + "' is no number for " + option +
+                                    " of pragma '" + directive.kind + "'; write an integer constant");
     }
     bool takes_zero = std::string(option) == "dim" || std::string(option) == "depth";
     if (value < (takes_zero ? 0 : 1))
-      throw CompileError(where, std::string(option) + " of pragma '" + directive.kind + "' must be at least " +
-                                    (takes_zero ? "0" : "1"));
+      throw CompileError(where, std::string(option) + " of pragma '" + directive.kind +
+                                    "' must be at least " + (takes_zero ? "0" : "1"));
   }
 }
 
 }  // namespace
 
-std::vector<Directive> DirectiveTable::of(const Value* object, const std::string& kind) const {
-  std::vector<Directive> found;
+std::vector<ObjectDirective> DirectiveTable::of(const Value* object, const std::string& kind) const {
+  std::vector<ObjectDirective> found;
   for (const ObjectDirective& entry : objects)
-    if (entry.object == object && entry.directive.kind == kind) found.push_back(entry.directive);
+    if (entry.object == object && entry.directive.kind == kind) found.push_back(entry);
   return found;
 }
 
@@ -167,7 +195,8 @@ void resolve_loop_directives(Module& module, DirectiveTable& table, Diagnostics&
         if (Loop* loop = loops.getLoopFor(marker.call->getParent()))
           attach_to_loop(*loop, marker.directive);
         else if (kind == "UNROLL" || kind == "LOOP_TRIPCOUNT" || kind == "LOOP_FLATTEN")
-          diagnostics.warn(where, "pragma '" + kind + "' stands in no loop and has no effect; move it into the body of one");
+          diagnostics.warn(where, "pragma '" + kind +
+                                      "' stands in no loop and has no effect; move it into the body of one");
         else
           attach_to_function(function, loops, marker.directive);
       } else {
@@ -183,7 +212,7 @@ void resolve_loop_directives(Module& module, DirectiveTable& table, Diagnostics&
 void resolve_object_directives(Module& module, DirectiveTable& table, Diagnostics&) {
   for (Function& function : module) {
     for (Marker& marker : markers_of(function)) {
-      table.objects.push_back({object_of(marker.variable), marker.directive, location_of(*marker.call)});
+      table.objects.push_back(object_directive(marker));
       marker.call->eraseFromParent();
     }
   }

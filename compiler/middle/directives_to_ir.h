@@ -22,9 +22,12 @@ class Module;
 
 namespace hlsc {
 
-/// A directive on an array or stream (alloca, global or pointer argument).
+/// A directive on an array or stream (alloca, global or pointer argument), or on a member of one: on `bytes`
+/// from `offset`, an array with `dims` subscripts.
 struct ObjectDirective {
   llvm::WeakTrackingVH object;
+  uint64_t offset = 0, bytes = 0;
+  size_t dims = 0;
   Directive directive;
   SourceLocation location;
 };
@@ -41,7 +44,7 @@ struct DirectiveTable {
   std::map<std::string, std::vector<PortDirective>> ports;  ///< By mangled function name.
 
   /// Directives of one kind on an object, in source order.
-  std::vector<Directive> of(const llvm::Value* object, const std::string& kind) const;
+  std::vector<ObjectDirective> of(const llvm::Value* object, const std::string& kind) const;
 };
 
 /// Removes all markers without a variable (to loop metadata and function attributes) and those of INTERFACE.
