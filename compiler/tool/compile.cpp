@@ -2,6 +2,7 @@
 
 #include "design/build.h"
 #include "design/constant_multiply.h"
+#include "design/dead.h"
 #include "design/divide.h"
 #include "design/exclusive.h"
 #include "design/fold.h"
@@ -48,6 +49,7 @@ class Compilation {
 
  private:
   CompiledProcess scheduled(Process process) {
+    remove_dead(process);
     merge_exclusive_accesses(process);
     narrow(process);
     expand_divisions(process);
@@ -55,6 +57,7 @@ class Compilation {
     narrow(process);
     fold(process);
     forward_copies(process);
+    remove_dead(process);
     return {process, schedule_process(process, schedule_options_, result_.diagnostics)};
   }
 
