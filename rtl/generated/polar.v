@@ -442,8 +442,6 @@ module polar (
 
     // memory left_columns_0: 1280 x 12
 
-    // memory left_columns_1: 1280 x 1
-
     // memory left_columns_2: 1280 x 2
 
     // memory right_columns_0: 1280 x 12
