@@ -101,6 +101,12 @@ int ProcessBuilder::memory_of(MemoryObject& object, Value* pointer, size_t leaf,
     memory.width = low_bit(object, object.leaves.size());
     memory.is_signed = false;
   }
+  if (object.argument < 0 && object.leaves.size() > 1 &&
+      !middle_.directives.of(pointer, "AGGREGATE").empty()) {
+    std::string& name = object.aggregates[bank];
+    if (name.empty()) name = names_.unique(object.name + bank_suffix, "memory");
+    memory.aggregate = name;
+  }
   auto* global = dyn_cast<GlobalVariable>(pointer);
   if (global) memory.initial = initial_words(*global, object, leaf, bank, memory.depth);
   if (object.argument >= 0) {

@@ -46,10 +46,11 @@ enum class OpKind {
   kZExt,
   kSExt,
   kTrunc,
-  kLoad,   ///< operands: address
-  kStore,  ///< operands: address, data
-  kRead,   ///< of a stream
-  kWrite,  ///< operands: data
+  kConcat,  ///< operands: lowest first, each as wide as its type
+  kLoad,    ///< operands: address
+  kStore,   ///< operands: address, data
+  kRead,    ///< of a stream
+  kWrite,   ///< operands: data
   kEmpty,
   kFull,
   kOutput,  ///< operands: data; sets a scalar output port
@@ -99,6 +100,7 @@ struct Memory {
   std::vector<llvm::APInt> initial;  ///< Static or constant contents; empty: undefined at start.
   bool independent = false;          ///< DEPENDENCE inter false.
   bool is_aggregate = false;  ///< A port whose words are whole structs, first member in the lowest bits.
+  std::string aggregate;  ///< AGGREGATE on a local array of structs: name of the memory of whole elements.
   bool is_read = false, is_written = false;
   unsigned load_latency = 1;
   int argument = -1;         ///< Of a port: index of the parameter.

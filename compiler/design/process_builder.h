@@ -37,6 +37,7 @@ struct MemoryObject {
       false;  ///< AGGREGATE on an array of structs outside that is only read: one word an element.
   bool is_scalar_port = false;                          ///< Leaves are scalar ports, not memories.
   std::vector<std::vector<Partition>> partitions;       ///< By leaf and dimension.
+  std::map<uint64_t, std::string> aggregates;           ///< Bank -> name of its memory of whole elements.
   std::map<std::pair<size_t, uint64_t>, int> memories;  ///< (leaf, bank) -> index in Process::memories.
   std::map<size_t, int> inputs, outputs;                ///< leaf -> index in Process::scalars.
 };

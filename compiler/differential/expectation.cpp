@@ -49,21 +49,26 @@ const char* name_of(MemoryKind kind) {
   }
 }
 
-/// A partitioned array is several memories, NAME_0 and so on.
+/// A partitioned array is several memories, NAME_0 and so on. `wanted`: a kind, or kind and shape.
 std::string check_memory(const CompileResult& compiled, const std::string& name, const std::string& wanted) {
   std::string found = "none";
   for (const CompiledProcess& process : compiled.processes)
-    for (const Memory& memory : process.process.memories)
-      if (memory.name == name || memory.name.rfind(name + "_", 0) == 0) found = name_of(memory.kind);
+    for (const Memory& memory : process.process.memories) {
+      bool is_meant = memory.name == name || memory.name.rfind(name + "_", 0) == 0;
+      if (!is_meant || !(memory.is_read || memory.is_written)) continue;
+      std::string kind = name_of(memory.kind);
+      found = fmt::format("{} {}x{}", kind, memory.depth, memory.width);
+      if (wanted == kind || wanted == found) return "";
+    }
   return found == wanted ? "" : fmt::format("memory {} is {}", name, found);
 }
 
 std::string check(const CompileResult& compiled, const Statement& statement) {
-  static const std::regex kForm("(loop) (.*)|memory (\\w+) (\\w+)");
+  static const std::regex kForm("(loop) (.*)|memory (\\w+) (\\w+(?: \\d+x\\d+)?)");
   std::smatch match;
   if (!std::regex_match(statement.text, match, kForm))
-    throw std::runtime_error(
-        fmt::format("cannot read `expect: {}`; write loop ... or memory NAME KIND.", statement.text));
+    throw std::runtime_error(fmt::format(
+        "cannot read `expect: {}`; write loop ... or memory NAME KIND DEPTHxWIDTH.", statement.text));
   return match[1].matched ? check_loop(compiled, statement.line, match[2])
                           : check_memory(compiled, match[3], match[4]);
 }

@@ -1,5 +1,6 @@
 #include "tool/compile.h"
 
+#include "design/aggregate.h"
 #include "design/build.h"
 #include "design/constant_multiply.h"
 #include "design/dead.h"
@@ -58,6 +59,7 @@ class Compilation {
     fold(process);
     forward_copies(process);
     remove_dead(process);
+    join_aggregates(process, result_.diagnostics);
     return {process, schedule_process(process, schedule_options_, result_.diagnostics)};
   }
 

@@ -38,6 +38,8 @@ std::string ProcessEmitter::expression(const Operation& op, Place at) {
       return sign_extended(op, at);
     case OpKind::kTrunc:
       return operand(0, w);
+    case OpKind::kConcat:
+      return concatenation(op, at);
     case OpKind::kCompare:
       return comparison(op, at);
     case OpKind::kRead:
@@ -143,6 +145,13 @@ std::string ProcessEmitter::auxiliary(const Operation& op, unsigned width, const
 std::string ProcessEmitter::wide_slice(const Operation& op, const std::string& value, unsigned width) {
   std::string name = auxiliary(op, width, value);
   return name + (op.bits == 1 ? "[0]" : "[" + std::to_string(op.bits - 1) + ":0]");
+}
+
+std::string ProcessEmitter::concatenation(const Operation& op, Place at) {
+  std::string parts;
+  for (ValueId part : op.operands)
+    parts = text(part, process_[part].type_width, at) + (parts.empty() ? "" : ", " + parts);
+  return "{" + parts + "}";
 }
 
 std::string ProcessEmitter::zero_extended(const Operation& op, Place at) {

@@ -76,7 +76,7 @@ void ProcessEmitter::emit_operation(ValueId id, int block) {
 
 std::string ProcessEmitter::assembled() {
   emit_held_values();
-  emit_stages();
+  emit_copies();
   std::string entry = go_to(0, -1, 0, "                ");
   std::ostringstream out;
   out << header() << "`default_nettype none\n\nmodule " << process_.name << " (\n";

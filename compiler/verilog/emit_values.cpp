@@ -7,15 +7,35 @@ std::string ProcessEmitter::signal(ValueId id, Place at) {
   const Operation& op = process_[id];
   if (op.kind == OpKind::kInput) return process_.scalars[op.object].name;
   if (op.block != at.block) return held(id);
-  int ready = schedule_.ready[id];
   if (is_loop(at.block)) {
-    if (at.cycle <= ready) return op.name;
-    int& last = last_stage_[id];
-    last = std::max(last, at.cycle);
-    return op.name + "_s" + std::to_string(at.cycle);
+    int copy = copy_of(id, at.cycle);
+    if (copy == 0) return op.name;
+    int& copies = copies_[id];
+    copies = std::max(copies, copy);
+    return copy_name(id, copy);
   }
-  if (op.kind == OpKind::kPhi || at.cycle <= ready) return op.name;
+  if (op.kind == OpKind::kPhi || at.cycle <= schedule_.ready[id]) return op.name;
   return held(id);
+}
+
+/// A phi keeps its value until it takes that of the next iteration.
+int ProcessEmitter::last_cycle(ValueId id) const {
+  const Operation& op = process_[id];
+  int ready = schedule_.ready[id];
+  if (op.kind != OpKind::kPhi) return ready;
+  return std::min(ready + timing(op.block).ii, timing(op.block).length) - 1;
+}
+
+int ProcessEmitter::copy_of(ValueId id, int cycle) const {
+  int ii = timing(process_[id].block).ii, late = cycle - last_cycle(id);
+  return late <= 0 ? 0 : (late + ii - 1) / ii;
+}
+
+std::string ProcessEmitter::copy_name(ValueId id, int copy) const {
+  const Operation& op = process_[id];
+  if (copy == 0) return op.name;
+  int first = last_cycle(id) + (copy - 1) * timing(op.block).ii + 1;
+  return op.name + "_s" + std::to_string(first);
 }
 
 std::string ProcessEmitter::held(ValueId id) {
@@ -52,23 +72,24 @@ void ProcessEmitter::emit_held_values() {
   }
 }
 
-void ProcessEmitter::emit_stages() {
+/// Every copy is taken when the one before is about to change: each cycle in a loop with II = 1, else once an
+/// iteration.
+void ProcessEmitter::emit_copies() {
   std::map<std::string, std::ostringstream> by_enable;
   std::vector<std::string> order;
-  for (auto [id, last] : last_stage_) {
+  for (auto [id, copies] : copies_) {
     const Operation& op = process_[id];
-    int ready = schedule_.ready[id];
-    for (int cycle = ready + 1; cycle <= last; ++cycle) {
-      std::string ce = enable({op.block, cycle - 1});
-      if (!by_enable.count(ce)) order.push_back(ce);
-      std::string from = cycle - 1 == ready ? op.name : op.name + "_s" + std::to_string(cycle - 1);
-      std::string to = op.name + "_s" + std::to_string(cycle);
-      registers_ << "    reg " << range_text_spaced(op.bits) << to << ";\n";
-      by_enable[ce] << "            " << to << " <= " << from << ";\n";
+    int ii = timing(op.block).ii;
+    for (int copy = 1; copy <= copies; ++copy) {
+      Place at{op.block, last_cycle(id) + (copy - 1) * ii};
+      std::string take = ii == 1 ? enable(at) : happens(at);
+      if (!by_enable.count(take)) order.push_back(take);
+      registers_ << "    reg " << range_text_spaced(op.bits) << copy_name(id, copy) << ";\n";
+      by_enable[take] << "            " << copy_name(id, copy) << " <= " << copy_name(id, copy - 1) << ";\n";
     }
   }
-  for (const std::string& ce : order)
-    data_ << "        if (" << ce << ") begin\n" << by_enable[ce].str() << "        end\n";
+  for (const std::string& take : order)
+    data_ << "        if (" << take << ") begin\n" << by_enable[take].str() << "        end\n";
 }
 
 }  // namespace hlsc

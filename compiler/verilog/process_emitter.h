@@ -89,6 +89,12 @@ class ProcessEmitter {
   // Values and the registers that carry them (emit_values.cpp)
   /// The signal that holds `id` where control is at `at`; notes the registers this takes.
   std::string signal(ValueId id, Place at);
+  /// A pipeline carries a value in copies while the next iterations make theirs. The last cycle in which the
+  /// value itself is there:
+  int last_cycle(ValueId id) const;
+  /// Which copy holds it in `cycle`, each for II cycles; 0: the value itself.
+  int copy_of(ValueId id, int cycle) const;
+  std::string copy_name(ValueId id, int copy) const;
   /// The register that keeps `id` after its block.
   std::string held(ValueId id);
   /// The low `width` bits of the value.
@@ -97,7 +103,7 @@ class ProcessEmitter {
   bool is_constant(ValueId id) const { return process_[id].kind == OpKind::kConstant; }
   static std::string range_text_spaced(unsigned width);
   void emit_held_values();
-  void emit_stages();
+  void emit_copies();
 
   // Operations as expressions (emit_expressions.cpp)
   std::string expression(const Operation& op, Place at);
@@ -113,6 +119,7 @@ class ProcessEmitter {
   /// A wire of its own for an expression that Verilog cannot slice.
   std::string auxiliary(const Operation& op, unsigned width, const std::string& value);
   std::string wide_slice(const Operation& op, const std::string& value, unsigned width);
+  std::string concatenation(const Operation& op, Place at);
   std::string zero_extended(const Operation& op, Place at);
   std::string sign_extended(const Operation& op, Place at);
   /// A value whose representation is as wide as its type, as a number with sign of `width` bits.
@@ -143,7 +150,7 @@ class ProcessEmitter {
   NameTable names_;
   std::vector<std::string> states_;
   std::vector<std::vector<std::string>> state_names_;  ///< By block and cycle.
-  std::map<ValueId, int> last_stage_;
+  std::map<ValueId, int> copies_;
   std::set<ValueId> held_;
   std::map<int, std::vector<ValueId>> accesses_, stream_accesses_, outputs_;
   std::map<int, std::vector<std::string>> phi_starts_;
