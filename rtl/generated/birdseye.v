@@ -48,13 +48,9 @@ module birdseye (
     reg [4:0] while_2_active;  // stages at work
     wire [30:0] word_q;
     reg [31:0] sum_q;
-    reg [2:0] denominator_s3;
-    reg [16:0] denominator_2_s4;
     reg test_s1;
-    reg test_s2;
     reg test_s3;
     reg differs_s1;
-    reg differs_s2;
     reg differs_s3;
     reg [7:0] contact_7_s1;
     reg [12:0] contact_8_s1;
@@ -68,7 +64,6 @@ module birdseye (
     reg [44:0] value_6_s2;
     reg [43:0] value_7_s2;
     reg [31:0] value_9_s1;
-    reg [31:0] value_9_s2;
     reg [42:0] shifted_4_s3;
     reg [24:0] value_12_s3;
     reg [31:0] shifted_6_s4;
@@ -84,21 +79,14 @@ module birdseye (
     reg [30:0] value_18_s3;
     reg [12:0] shifted_11_s4;
     reg both_19_s3;
-    reg both_19_s4;
     reg either_2_s4;
     reg both_20_s1;
-    reg both_20_s2;
     reg both_20_s3;
-    reg both_20_s4;
     reg both_21_s1;
-    reg both_21_s2;
     reg both_21_s3;
-    reg both_21_s4;
     reg [44:0] either_5_s1;
-    reg [44:0] either_5_s2;
     reg [68:0] either_6_s3;
     reg [93:0] chosen_12_s1;
-    reg [93:0] chosen_12_s2;
     reg [93:0] chosen_12_s3;
     reg [93:0] either_8_s4;
     reg [1:0] extract_5_s1;
@@ -142,7 +130,7 @@ module birdseye (
     wire [43:0] value_7 = product_2;  // birdseye.h:47
     wire [44:0] sum_2 = value_6_s2 + {{1{value_7_s2[43]}}, value_7_s2};  // birdseye.h:47
     wire [31:0] value_9 = start;  // birdseye.h:47
-    wire [44:0] sum_3 = sum_2 + {{13{value_9_s2[31]}}, value_9_s2};  // birdseye.h:47
+    wire [44:0] sum_3 = sum_2 + {{13{value_9_s1[31]}}, value_9_s1};  // birdseye.h:47
     wire [46:0] value_10 = {{2{sum_3[44]}}, sum_3};  // birdseye.h:51
     wire [46:0] sum_4 = value_10 + 47'd8;  // birdseye.h:51
     wire [42:0] shifted_4 = sum_4[46:4];  // birdseye.h:51
@@ -151,7 +139,7 @@ module birdseye (
     wire [41:0] product_3 = $signed(value_12_s3) * $signed({1'd0, denominator_2});  // reciprocal.h:70
     wire [42:0] shifted_5_wide = {{1{product_3[41]}}, product_3};
     wire [31:0] shifted_5 = shifted_5_wide[42:11];  // reciprocal.h:71
-    wire [31:0] shifted_6 = $signed(shifted_5) >>> denominator_s3;  // reciprocal.h:71
+    wire [31:0] shifted_6 = $signed(shifted_5) >>> denominator;  // reciprocal.h:71
     wire test_3 = {{18{value_12_s3[24]}}, value_12_s3} == shifted_4_s3;
     wire both_2 = on_floor & test_3;  // birdseye.h:57
     wire both_3 = differs_s3 & both_2;  // birdseye.h:42
@@ -163,7 +151,7 @@ module birdseye (
     wire test_5 = $signed(value_17) > $signed(32'd16777215);  // reciprocal.h:51
     wire [30:0] both_4 = value_17[30:0] & 31'd1073741824;  // reciprocal.h:53
     wire test_6 = both_4 == 31'd0;  // reciprocal.h:53
-    wire both_5 = test_s2 & test_6;  // birdseye.h:42
+    wire both_5 = test_s1 & test_6;  // birdseye.h:42
     wire [29:0] both_6 = value_17[29:0] & 30'd536870912;  // reciprocal.h:53
     wire test_7 = both_6 == 30'd0;  // reciprocal.h:53
     wire both_7 = both_5 & test_7;  // birdseye.h:42
@@ -204,15 +192,15 @@ module birdseye (
     wire test_11 = sum_3 == {{13{value_26[31]}}, value_26};  // birdseye.h:55
     wire both_19 = test_5 & test_11;  // birdseye.h:55
     wire either_2 = differs_2 | both_3;  // reciprocal.h:56
-    wire [16:0] denominator_3 = either_2_s4 ? denominator_2_s4 : shifted_13;  // reciprocal.h:56
-    wire [2:0] denominator_4 = either_2 ? denominator_s3 : chosen_10;  // reciprocal.h:56
-    wire chosen_11 = both_3_s4 ? test_4 : both_19_s4;  // reciprocal.h:56
+    wire [16:0] denominator_3 = either_2_s4 ? denominator_2 : shifted_13;  // reciprocal.h:56
+    wire [2:0] denominator_4 = either_2 ? denominator : chosen_10;  // reciprocal.h:56
+    wire chosen_11 = both_3_s4 ? test_4 : both_19_s3;  // reciprocal.h:56
     wire on_floor_2 = either_s4 & chosen_11;  // reciprocal.h:56
     wire test_12 = row == 2'd2;  // birdseye.h:60
     wire both_20 = test_12 & contact;  // reciprocal.h:56
     wire differs_6 = ~contact_12;  // reciprocal.h:56
     wire both_21 = test_12 & differs_6;  // reciprocal.h:56
-    wire both_22 = both_21_s4 & on_floor_2;  // reciprocal.h:56
+    wire both_22 = both_21_s3 & on_floor_2;  // reciprocal.h:56
     wire [20:0] shifted_14 = {contact_8, 8'd0};  // birdseye.h:66
     wire [20:0] either_3 = shifted_14 | {13'd0, contact_7};  // birdseye.h:66
     wire [32:0] shifted_15 = {contact_9, 21'd0};  // birdseye.h:66
@@ -220,14 +208,14 @@ module birdseye (
     wire [44:0] shifted_16 = {contact_10, 33'd0};  // birdseye.h:66
     wire [44:0] either_5 = {12'd0, either_4} | shifted_16;  // birdseye.h:66
     wire [68:0] shifted_17 = {x, 45'd0};  // birdseye.h:66
-    wire [68:0] either_6 = {24'd0, either_5_s2} | shifted_17;  // birdseye.h:66
+    wire [68:0] either_6 = {24'd0, either_5_s1} | shifted_17;  // birdseye.h:66
     wire [23:0] both_23 = shifted_6[23:0];  // birdseye.h:66
     wire [92:0] shifted_18 = {both_23, 69'd0};  // birdseye.h:66
     wire [92:0] either_7 = {24'd0, either_6_s3} | shifted_18;  // birdseye.h:66
     wire [93:0] chosen_12 = contact_11 ? 94'h200000000000000000000000 : 94'd0;  // birdseye.h:66
     wire [93:0] either_8 = {1'd0, either_7} | chosen_12_s3;  // birdseye.h:66
-    wire [94:0] points_write_2_of0 = both_20_s4 ? 95'h400000000000000000000000 : {1'd0, either_8_s4};  // birdseye.h:62
-    wire points_write_2_any1 = both_22 | both_20_s4;  // birdseye.h:62
+    wire [94:0] points_write_2_of0 = both_20_s3 ? 95'h400000000000000000000000 : {1'd0, either_8_s4};  // birdseye.h:62
+    wire points_write_2_any1 = both_22 | both_20_s3;  // birdseye.h:62
     wire [23:0] value_33 = shifted_6[23:0];  // birdseye.h:68
     wire [1:0] sum_6 = row + 2'd1;  // birdseye.h:70
     wire [1:0] extract_5 = test_12 ? 2'd0 : sum_6;  // birdseye.h:40
@@ -420,7 +408,7 @@ module birdseye (
                 denominator <= 3'd0;
                 denominator_2 <= 17'd0;
             end
-            S_WHILE_2: if (while_2_active[4] & while_2_ce & both_20_s4) begin
+            S_WHILE_2: if (while_2_active[4] & while_2_ce & both_20_s3) begin
                 state <= S_DONE;
             end
             S_DONE: if (ap_continue) state <= S_IDLE;
@@ -434,15 +422,9 @@ module birdseye (
 
     always @(posedge clk) begin
         if ((state == S_ENTRY) & ~stall) sum_q <= sum;
-        if (while_2_ce) begin
-            denominator_s3 <= denominator;
-            denominator_2_s4 <= denominator_2;
+        if (while_2_active[0] & while_2_ce) begin
             test_s1 <= test;
-            test_s2 <= test_s1;
-            test_s3 <= test_s2;
             differs_s1 <= differs;
-            differs_s2 <= differs_s1;
-            differs_s3 <= differs_s2;
             contact_7_s1 <= contact_7;
             contact_8_s1 <= contact_8;
             contact_9_s1 <= contact_9;
@@ -452,15 +434,18 @@ module birdseye (
             value_2_s1 <= value_2;
             value_3_s1 <= value_3;
             value_4_s1 <= value_4;
-            value_6_s2 <= value_6;
-            value_7_s2 <= value_7;
             value_9_s1 <= value_9;
-            value_9_s2 <= value_9_s1;
+            both_20_s1 <= both_20;
+            both_21_s1 <= both_21;
+            either_5_s1 <= either_5;
+            chosen_12_s1 <= chosen_12;
+            extract_5_s1 <= extract_5;
+        end
+        if (while_2_active[2] & while_2_ce) begin
+            test_s3 <= test_s1;
+            differs_s3 <= differs_s1;
             shifted_4_s3 <= shifted_4;
             value_12_s3 <= value_12;
-            shifted_6_s4 <= shifted_6;
-            both_3_s4 <= both_3;
-            either_s4 <= either;
             both_7_s3 <= both_7;
             both_8_s3 <= both_8;
             test_8_s3 <= test_8;
@@ -469,26 +454,23 @@ module birdseye (
             differs_5_s3 <= differs_5;
             chosen_6_s3 <= chosen_6;
             value_18_s3 <= value_18;
-            shifted_11_s4 <= shifted_11;
             both_19_s3 <= both_19;
-            both_19_s4 <= both_19_s3;
-            either_2_s4 <= either_2;
-            both_20_s1 <= both_20;
-            both_20_s2 <= both_20_s1;
-            both_20_s3 <= both_20_s2;
-            both_20_s4 <= both_20_s3;
-            both_21_s1 <= both_21;
-            both_21_s2 <= both_21_s1;
-            both_21_s3 <= both_21_s2;
-            both_21_s4 <= both_21_s3;
-            either_5_s1 <= either_5;
-            either_5_s2 <= either_5_s1;
+            both_20_s3 <= both_20_s1;
+            both_21_s3 <= both_21_s1;
             either_6_s3 <= either_6;
-            chosen_12_s1 <= chosen_12;
-            chosen_12_s2 <= chosen_12_s1;
-            chosen_12_s3 <= chosen_12_s2;
+            chosen_12_s3 <= chosen_12_s1;
+        end
+        if (while_2_active[1] & while_2_ce) begin
+            value_6_s2 <= value_6;
+            value_7_s2 <= value_7;
+        end
+        if (while_2_active[3] & while_2_ce) begin
+            shifted_6_s4 <= shifted_6;
+            both_3_s4 <= both_3;
+            either_s4 <= either;
+            shifted_11_s4 <= shifted_11;
+            either_2_s4 <= either_2;
             either_8_s4 <= either_8;
-            extract_5_s1 <= extract_5;
         end
     end
 

@@ -59,152 +59,32 @@ module cluster (
     reg [6:0] for_5_active;  // stages at work
     reg [8:0] line_3;
     reg [1:0] for_7_active;  // stages at work
-    wire [8:0] candidates_7_q;
-    wire [23:0] candidates_4_q;
-    wire [23:0] candidates_3_q;
-    wire [12:0] candidates_0_q;
-    wire [11:0] candidates_1_q;
-    wire [11:0] candidates_2_q;
-    wire candidates_5_q;
-    wire [7:0] candidates_6_q;
+    wire [102:0] candidates_q;
     reg [33:0] product_q;
     reg [94:0] points_data_q;
-    reg [12:0] point_9_s1;
-    reg [12:0] point_9_s2;
-    reg [11:0] point_10_s1;
-    reg [11:0] point_10_s2;
-    reg [11:0] point_11_s1;
-    reg [11:0] point_11_s2;
-    reg point_12_s1;
-    reg point_12_s2;
-    reg [23:0] point_13_s1;
-    reg [23:0] point_13_s2;
-    reg [23:0] point_14_s1;
-    reg [23:0] point_14_s2;
-    reg [7:0] point_15_s1;
-    reg [7:0] point_15_s2;
     reg [6:0] value_8_s1;
-    reg [6:0] value_8_s2;
     reg test_s2;
     reg [34:0] sum_s1;
-    reg [34:0] sum_s2;
     reg [34:0] sum_2_s2;
     reg [7:0] line_s1;
-    reg [7:0] line_s2;
     reg [12:0] shifted_5_s1;
-    reg [12:0] shifted_5_s2;
     reg [11:0] shifted_6_s1;
-    reg [11:0] shifted_6_s2;
     reg [11:0] shifted_7_s1;
-    reg [11:0] shifted_7_s2;
     reg [23:0] shifted_8_s1;
-    reg [23:0] shifted_8_s2;
     reg [23:0] shifted_9_s1;
-    reg [23:0] shifted_9_s2;
     reg shifted_10_s1;
-    reg shifted_10_s2;
     reg point_22_s1;
-    reg point_22_s2;
-    reg [8:0] line_2_s1;
-    reg [8:0] line_2_s2;
-    reg [8:0] line_2_s3;
-    reg [7:0] first_s1;
-    reg [7:0] first_s2;
-    reg [7:0] first_s3;
-    reg [7:0] first_s4;
-    reg [7:0] first_s5;
-    reg [16:0] first_2_s1;
-    reg [16:0] first_2_s2;
-    reg [16:0] first_2_s3;
-    reg [16:0] first_2_s4;
-    reg [16:0] first_2_s5;
-    reg [16:0] first_3_s1;
-    reg [16:0] first_3_s2;
-    reg [16:0] first_3_s3;
-    reg [16:0] first_3_s4;
-    reg [16:0] first_3_s5;
-    reg first_4_s1;
-    reg first_4_s2;
-    reg first_4_s3;
-    reg first_4_s4;
-    reg first_4_s5;
-    reg [7:0] second_s1;
-    reg [7:0] second_s2;
-    reg [7:0] second_s3;
-    reg [7:0] second_s4;
-    reg [7:0] second_s5;
-    reg [16:0] second_2_s1;
-    reg [16:0] second_2_s2;
-    reg [16:0] second_2_s3;
-    reg [16:0] second_2_s4;
-    reg [16:0] second_2_s5;
-    reg [16:0] second_3_s1;
-    reg [16:0] second_3_s2;
-    reg [16:0] second_3_s3;
-    reg [16:0] second_3_s4;
-    reg [16:0] second_3_s5;
-    reg second_4_s1;
-    reg second_4_s2;
-    reg second_4_s3;
-    reg second_4_s4;
-    reg second_4_s5;
-    reg [7:0] third_s1;
-    reg [7:0] third_s2;
-    reg third_4_s1;
     reg [6:0] value_24_s1;
-    reg [6:0] value_24_s2;
-    reg [6:0] value_24_s3;
-    reg [6:0] value_24_s4;
-    reg [6:0] value_24_s5;
-    reg [6:0] value_24_s6;
     reg [12:0] candidates_0_data_s2;
-    reg [12:0] candidates_0_data_s3;
-    reg [12:0] candidates_0_data_s4;
-    reg [12:0] candidates_0_data_s5;
-    reg [12:0] candidates_0_data_s6;
     reg [11:0] candidates_1_data_s2;
-    reg [11:0] candidates_1_data_s3;
-    reg [11:0] candidates_1_data_s4;
-    reg [11:0] candidates_1_data_s5;
-    reg [11:0] candidates_1_data_s6;
     reg [11:0] candidates_2_data_s2;
-    reg [11:0] candidates_2_data_s3;
-    reg [11:0] candidates_2_data_s4;
-    reg [11:0] candidates_2_data_s5;
-    reg [11:0] candidates_2_data_s6;
     reg [23:0] candidates_3_data_2_s2;
-    reg [23:0] candidates_3_data_2_s3;
-    reg [23:0] candidates_3_data_2_s4;
-    reg [23:0] candidates_3_data_2_s5;
-    reg [23:0] candidates_3_data_2_s6;
     reg [23:0] candidates_4_data_2_s2;
-    reg [23:0] candidates_4_data_2_s3;
-    reg [23:0] candidates_4_data_2_s4;
-    reg [23:0] candidates_4_data_2_s5;
-    reg [23:0] candidates_4_data_2_s6;
     reg candidates_5_data_s2;
-    reg candidates_5_data_s3;
-    reg candidates_5_data_s4;
-    reg candidates_5_data_s5;
-    reg candidates_5_data_s6;
-    reg [7:0] candidates_6_data_s2;
-    reg [7:0] candidates_6_data_s3;
-    reg [7:0] candidates_6_data_s4;
     reg test_4_s2;
-    reg test_4_s3;
-    reg test_4_s4;
-    reg test_4_s5;
     reg [16:0] shifted_11_s2;
-    reg [16:0] shifted_11_s3;
-    reg [16:0] shifted_11_s4;
-    reg [16:0] shifted_11_s5;
     reg [16:0] shifted_12_s2;
-    reg [16:0] shifted_12_s3;
-    reg [16:0] shifted_12_s4;
-    reg [16:0] shifted_12_s5;
     reg [7:0] value_27_s1;
-    reg [7:0] value_27_s2;
-    reg [7:0] value_27_s3;
     reg [16:0] value_29_s1;
     reg [16:0] value_31_s1;
     reg [34:0] product_6_s2;
@@ -221,37 +101,27 @@ module cluster (
     reg [34:0] product_11_s2;
     reg [7:0] chosen_4_s3;
     reg [7:0] here_3_s4;
-    reg [7:0] here_3_s5;
     reg both_5_s4;
-    reg both_5_s5;
-    reg both_5_s6;
     reg [6:0] value_46_s4;
-    reg [6:0] value_46_s5;
     reg [23:0] candidates_3_data_3_s5;
     reg [23:0] candidates_4_data_3_s5;
     reg [34:0] sum_6_s2;
-    reg [34:0] sum_6_s3;
-    reg [34:0] sum_6_s4;
-    reg [34:0] sum_6_s5;
     reg [34:0] sum_7_s5;
     reg candidates_5_data_2_s5;
     reg [11:0] candidates_2_data_2_s5;
     reg [11:0] candidates_1_data_2_s5;
     reg [12:0] candidates_0_data_2_s5;
     reg [8:0] sum_9_s1;
-    reg [8:0] sum_9_s2;
-    reg [8:0] sum_9_s3;
-    reg [8:0] sum_9_s4;
-    reg [8:0] sum_9_s5;
     reg test_10_s1;
-    reg test_10_s2;
-    reg test_10_s3;
-    reg test_10_s4;
-    reg test_10_s5;
-    reg test_10_s6;
     reg [6:0] value_54_s1;
     reg [7:0] both_11_s1;
     reg test_13_s1;
+    reg [102:0] candidates_7_store_word_s1;
+    reg [8:0] candidates_7_store_2_0_s5;
+    reg [7:0] candidates_7_store_2_7_s1;
+    reg [8:0] candidates_7_store_3_0_s1;
+    reg [102:0] candidates_7_store_3_word_s2;
+    reg [8:0] candidates_7_store_4_0_s1;
 
     wire stall;
     wire while_3_ce;
@@ -275,10 +145,16 @@ module cluster (
 
     // cluster.h:88:3: loop while_3, II = 3, 3 stages
     wire [6:0] value_8 = point_15[6:0];  // cluster.h:89
-    wire [8:0] candidates_7_data = candidates_7_q;  // cluster.h:89
+    wire [102:0] candidates_7_data_element = candidates_q;  // cluster.h:89
+    wire [8:0] candidates_7_data_0_part = candidates_7_data_element[8:0];  // cluster.h:89
+    wire [8:0] candidates_7_data = candidates_7_data_0_part;  // cluster.h:89
     wire test = candidates_7_data == 9'd0;  // cluster.h:90
-    wire [23:0] candidates_4_data = candidates_4_q;  // cluster.h:89
-    wire [23:0] candidates_3_data = candidates_3_q;  // cluster.h:89
+    wire [93:0] candidates_4_data_1_above = candidates_7_data_element[102:9];  // cluster.h:89
+    wire [23:0] candidates_4_data_1_part = candidates_4_data_1_above[23:0];  // cluster.h:89
+    wire [23:0] candidates_4_data = candidates_4_data_1_part;  // cluster.h:89
+    wire [69:0] candidates_3_data_2_above = candidates_7_data_element[102:33];  // cluster.h:89
+    wire [23:0] candidates_3_data_2_part = candidates_3_data_2_above[23:0];  // cluster.h:89
+    wire [23:0] candidates_3_data = candidates_3_data_2_part;  // cluster.h:89
     wire [16:0] shifted = point_14[23:7];  // cluster.h:53
     wire [16:0] shifted_2 = point_13[23:7];  // cluster.h:53
     wire [16:0] value_11 = shifted;  // cluster.h:58
@@ -293,8 +169,17 @@ module cluster (
     wire [16:0] value_16 = shifted_4;  // cluster.h:58
     wire [33:0] product_5 = $signed(value_16) * $signed(value_16);  // cluster.h:58
     wire [34:0] sum_2 = {{1{product_4[33]}}, product_4} + {{1{product_5[33]}}, product_5};  // cluster.h:58
-    wire test_2 = sum_s2 < sum_2_s2;  // cluster.h:90
+    wire test_2 = sum_s1 < sum_2_s2;  // cluster.h:90
     wire either = test_s2 | test_2;  // cluster.h:89
+    wire [8:0] candidates_7_store_0 = 9'd1;  // cluster.h:92
+    wire [23:0] candidates_7_store_1 = point_13;  // cluster.h:92
+    wire [23:0] candidates_7_store_2 = point_14;  // cluster.h:92
+    wire [12:0] candidates_7_store_3 = point_9;  // cluster.h:92
+    wire [11:0] candidates_7_store_4 = point_10;  // cluster.h:92
+    wire [11:0] candidates_7_store_5 = point_11;  // cluster.h:92
+    wire candidates_7_store_6 = point_12;  // cluster.h:92
+    wire [7:0] candidates_7_store_7 = point_15;  // cluster.h:92
+    wire [102:0] candidates_7_store_word = {candidates_7_store_7, candidates_7_store_6, candidates_7_store_5, candidates_7_store_4, candidates_7_store_3, candidates_7_store_2, candidates_7_store_1, candidates_7_store_0};  // cluster.h:92
     wire [94:0] points_data_2 = points_dout;  // cluster.h:94
     wire [7:0] line = points_data_2[7:0];  // cluster.h:94
     wire [12:0] shifted_5 = points_data_2[20:8];  // cluster.h:94
@@ -310,14 +195,30 @@ module cluster (
 
     // cluster.h:103:3: loop for_5, II = 6, 7 stages
     wire [6:0] value_24 = line_2[6:0];  // cluster.h:105
-    wire [12:0] candidates_0_data = candidates_0_q;  // cluster.h:105
-    wire [11:0] candidates_1_data = candidates_1_q;  // cluster.h:105
-    wire [11:0] candidates_2_data = candidates_2_q;  // cluster.h:105
-    wire [23:0] candidates_3_data_2 = candidates_3_q;  // cluster.h:105
-    wire [23:0] candidates_4_data_2 = candidates_4_q;  // cluster.h:105
-    wire candidates_5_data = candidates_5_q;  // cluster.h:105
-    wire [7:0] candidates_6_data = candidates_6_q;  // cluster.h:105
-    wire [8:0] candidates_7_data_2 = candidates_7_q;  // cluster.h:105
+    wire [102:0] candidates_0_data_element = candidates_q;  // cluster.h:105
+    wire [45:0] candidates_0_data_3_above = candidates_0_data_element[102:57];  // cluster.h:105
+    wire [12:0] candidates_0_data_3_part = candidates_0_data_3_above[12:0];  // cluster.h:105
+    wire [12:0] candidates_0_data = candidates_0_data_3_part;  // cluster.h:105
+    wire [32:0] candidates_1_data_4_above = candidates_0_data_element[102:70];  // cluster.h:105
+    wire [11:0] candidates_1_data_4_part = candidates_1_data_4_above[11:0];  // cluster.h:105
+    wire [11:0] candidates_1_data = candidates_1_data_4_part;  // cluster.h:105
+    wire [20:0] candidates_2_data_5_above = candidates_0_data_element[102:82];  // cluster.h:105
+    wire [11:0] candidates_2_data_5_part = candidates_2_data_5_above[11:0];  // cluster.h:105
+    wire [11:0] candidates_2_data = candidates_2_data_5_part;  // cluster.h:105
+    wire [69:0] candidates_3_data_2_2_above = candidates_0_data_element[102:33];  // cluster.h:105
+    wire [23:0] candidates_3_data_2_2_part = candidates_3_data_2_2_above[23:0];  // cluster.h:105
+    wire [23:0] candidates_3_data_2 = candidates_3_data_2_2_part;  // cluster.h:105
+    wire [93:0] candidates_4_data_2_1_above = candidates_0_data_element[102:9];  // cluster.h:105
+    wire [23:0] candidates_4_data_2_1_part = candidates_4_data_2_1_above[23:0];  // cluster.h:105
+    wire [23:0] candidates_4_data_2 = candidates_4_data_2_1_part;  // cluster.h:105
+    wire [8:0] candidates_5_data_6_above = candidates_0_data_element[102:94];  // cluster.h:105
+    wire candidates_5_data_6_part = candidates_5_data_6_above[0];  // cluster.h:105
+    wire candidates_5_data = candidates_5_data_6_part;  // cluster.h:105
+    wire [7:0] candidates_6_data_7_above = candidates_0_data_element[102:95];  // cluster.h:105
+    wire [7:0] candidates_6_data_7_part = candidates_6_data_7_above;  // cluster.h:105
+    wire [7:0] candidates_6_data = candidates_6_data_7_part;  // cluster.h:105
+    wire [8:0] candidates_7_data_2_0_part = candidates_0_data_element[8:0];  // cluster.h:105
+    wire [8:0] candidates_7_data_2 = candidates_7_data_2_0_part;  // cluster.h:105
     wire test_4 = candidates_7_data_2 != 9'd0;  // cluster.h:106
     wire [16:0] shifted_11 = candidates_3_data_2[23:7];  // cluster.h:53
     wire [16:0] shifted_12 = candidates_4_data_2[23:7];  // cluster.h:53
@@ -334,9 +235,9 @@ module cluster (
     wire [34:0] product_7 = $signed(value_33) * $signed(value_33);  // cluster.h:58
     wire [34:0] sum_3 = product_6_s2 + product_7_s2;  // cluster.h:58
     wire test_5 = sum_3 > {1'd0, product_q};  // cluster.h:69
-    wire [7:0] chosen = test_5 ? value_27_s2 : third_s2;  // cluster.h:70
-    wire both_4 = test_4 & third_4_s1;  // cluster.h:70
-    wire [7:0] here = both_4_s2 ? chosen : value_27_s2;  // cluster.h:70
+    wire [7:0] chosen = test_5 ? value_27_s1 : third;  // cluster.h:70
+    wire both_4 = test_4 & third_4;  // cluster.h:70
+    wire [7:0] here = both_4_s2 ? chosen : value_27_s1;  // cluster.h:70
     wire [16:0] value_35 = second_3;  // cluster.h:69
     wire [17:0] difference_3 = {{1{value_28[16]}}, value_28} - {{1{value_35_s1[16]}}, value_35_s1};  // cluster.h:69
     wire [16:0] value_36 = second_2;  // cluster.h:69
@@ -347,9 +248,9 @@ module cluster (
     wire [34:0] product_9 = $signed(value_38) * $signed(value_38);  // cluster.h:58
     wire [34:0] sum_4 = product_8_s2 + product_9_s2;  // cluster.h:58
     wire test_6 = sum_4 > {1'd0, product_q};  // cluster.h:69
-    wire [7:0] chosen_2 = test_6 ? here : second_s2;  // cluster.h:70
-    wire [7:0] chosen_3 = second_4_s2 ? chosen_2 : here;  // cluster.h:70
-    wire [7:0] here_2 = test_4_s2 ? chosen_3 : value_27_s2;  // cluster.h:70
+    wire [7:0] chosen_2 = test_6 ? here : second;  // cluster.h:70
+    wire [7:0] chosen_3 = second_4 ? chosen_2 : here;  // cluster.h:70
+    wire [7:0] here_2 = test_4_s2 ? chosen_3 : value_27_s1;  // cluster.h:70
     wire [16:0] value_40 = first_3;  // cluster.h:69
     wire [17:0] difference_5 = {{1{value_28[16]}}, value_28} - {{1{value_40_s1[16]}}, value_40_s1};  // cluster.h:69
     wire [16:0] value_41 = first_2;  // cluster.h:69
@@ -360,15 +261,21 @@ module cluster (
     wire [34:0] product_11 = $signed(value_43) * $signed(value_43);  // cluster.h:58
     wire [34:0] sum_5 = product_10_s2 + product_11_s2;  // cluster.h:58
     wire test_7 = sum_5 > {1'd0, product_q};  // cluster.h:69
-    wire [7:0] chosen_4 = test_7 ? here_2 : first_s2;  // cluster.h:70
-    wire [7:0] chosen_5 = first_4_s3 ? chosen_4_s3 : here_2_s3;  // cluster.h:70
-    wire [7:0] here_3 = test_4_s3 ? chosen_5 : value_27_s3;  // cluster.h:70
-    wire test_8 = line_2_s3 != {1'd0, here_3};
-    wire both_5 = test_4_s3 & test_8;  // cluster.h:110
+    wire [7:0] chosen_4 = test_7 ? here_2 : first;  // cluster.h:70
+    wire [7:0] chosen_5 = first_4 ? chosen_4_s3 : here_2_s3;  // cluster.h:70
+    wire [7:0] here_3 = test_4_s2 ? chosen_5 : value_27_s1;  // cluster.h:70
+    wire test_8 = line_2 != {1'd0, here_3};
+    wire both_5 = test_4_s2 & test_8;  // cluster.h:110
     wire [6:0] value_46 = chosen_5[6:0];  // cluster.h:111
-    wire [23:0] candidates_3_data_3 = candidates_3_q;  // cluster.h:111
-    wire [23:0] candidates_4_data_3 = candidates_4_q;  // cluster.h:111
-    wire [8:0] candidates_7_data_3 = candidates_7_q;  // cluster.h:111
+    wire [102:0] candidates_3_data_3_element = candidates_q;  // cluster.h:111
+    wire [69:0] candidates_3_data_3_2_above = candidates_3_data_3_element[102:33];  // cluster.h:111
+    wire [23:0] candidates_3_data_3_2_part = candidates_3_data_3_2_above[23:0];  // cluster.h:111
+    wire [23:0] candidates_3_data_3 = candidates_3_data_3_2_part;  // cluster.h:111
+    wire [93:0] candidates_4_data_3_1_above = candidates_3_data_3_element[102:9];  // cluster.h:111
+    wire [23:0] candidates_4_data_3_1_part = candidates_4_data_3_1_above[23:0];  // cluster.h:111
+    wire [23:0] candidates_4_data_3 = candidates_4_data_3_1_part;  // cluster.h:111
+    wire [8:0] candidates_7_data_3_0_part = candidates_3_data_3_element[8:0];  // cluster.h:111
+    wire [8:0] candidates_7_data_3 = candidates_7_data_3_0_part;  // cluster.h:111
     wire [16:0] value_47 = shifted_11;  // cluster.h:58
     wire [33:0] product_12 = $signed(value_47) * $signed(value_47);  // cluster.h:58
     wire [16:0] value_48 = shifted_12;  // cluster.h:58
@@ -381,35 +288,77 @@ module cluster (
     wire [16:0] value_52 = shifted_14;  // cluster.h:58
     wire [33:0] product_15 = $signed(value_52) * $signed(value_52);  // cluster.h:58
     wire [34:0] sum_7 = {{1{product_14[33]}}, product_14} + {{1{product_15[33]}}, product_15};  // cluster.h:58
-    wire test_9 = sum_6_s5 < sum_7_s5;  // cluster.h:112
-    wire both_6 = both_5_s5 & test_9;  // cluster.h:111
-    wire candidates_5_data_2 = candidates_5_q;  // cluster.h:111
-    wire [11:0] candidates_2_data_2 = candidates_2_q;  // cluster.h:111
-    wire [11:0] candidates_1_data_2 = candidates_1_q;  // cluster.h:111
-    wire [12:0] candidates_0_data_2 = candidates_0_q;  // cluster.h:111
-    wire [11:0] chosen_6 = both_6 ? candidates_1_data_s5 : candidates_1_data_2_s5;  // cluster.h:111
-    wire [11:0] chosen_7 = both_6 ? candidates_2_data_s5 : candidates_2_data_2_s5;  // cluster.h:111
-    wire [23:0] chosen_8 = both_6 ? candidates_3_data_2_s5 : candidates_3_data_3_s5;  // cluster.h:111
-    wire [23:0] chosen_9 = both_6 ? candidates_4_data_2_s5 : candidates_4_data_3_s5;  // cluster.h:111
-    wire chosen_10 = both_6 ? candidates_5_data_s5 : candidates_5_data_2_s5;  // cluster.h:111
-    wire [12:0] chosen_11 = both_6 ? candidates_0_data_s5 : candidates_0_data_2_s5;  // cluster.h:111
+    wire test_9 = sum_6_s2 < sum_7_s5;  // cluster.h:112
+    wire both_6 = both_5_s4 & test_9;  // cluster.h:111
+    wire [8:0] candidates_5_data_2_6_above = candidates_3_data_3_element[102:94];  // cluster.h:111
+    wire candidates_5_data_2_6_part = candidates_5_data_2_6_above[0];  // cluster.h:111
+    wire candidates_5_data_2 = candidates_5_data_2_6_part;  // cluster.h:111
+    wire [20:0] candidates_2_data_2_5_above = candidates_3_data_3_element[102:82];  // cluster.h:111
+    wire [11:0] candidates_2_data_2_5_part = candidates_2_data_2_5_above[11:0];  // cluster.h:111
+    wire [11:0] candidates_2_data_2 = candidates_2_data_2_5_part;  // cluster.h:111
+    wire [32:0] candidates_1_data_2_4_above = candidates_3_data_3_element[102:70];  // cluster.h:111
+    wire [11:0] candidates_1_data_2_4_part = candidates_1_data_2_4_above[11:0];  // cluster.h:111
+    wire [11:0] candidates_1_data_2 = candidates_1_data_2_4_part;  // cluster.h:111
+    wire [45:0] candidates_0_data_2_3_above = candidates_3_data_3_element[102:57];  // cluster.h:111
+    wire [12:0] candidates_0_data_2_3_part = candidates_0_data_2_3_above[12:0];  // cluster.h:111
+    wire [12:0] candidates_0_data_2 = candidates_0_data_2_3_part;  // cluster.h:111
+    wire [11:0] chosen_6 = both_6 ? candidates_1_data_s2 : candidates_1_data_2_s5;  // cluster.h:111
+    wire [11:0] chosen_7 = both_6 ? candidates_2_data_s2 : candidates_2_data_2_s5;  // cluster.h:111
+    wire [23:0] chosen_8 = both_6 ? candidates_3_data_2_s2 : candidates_3_data_3_s5;  // cluster.h:111
+    wire [23:0] chosen_9 = both_6 ? candidates_4_data_2_s2 : candidates_4_data_3_s5;  // cluster.h:111
+    wire chosen_10 = both_6 ? candidates_5_data_s2 : candidates_5_data_2_s5;  // cluster.h:111
+    wire [12:0] chosen_11 = both_6 ? candidates_0_data_s2 : candidates_0_data_2_s5;  // cluster.h:111
     wire [8:0] sum_8 = candidates_7_data_3 + 9'd1;  // cluster.h:115
+    wire [8:0] candidates_7_store_2_0 = sum_8;  // cluster.h:116
+    wire [23:0] candidates_7_store_2_1 = chosen_9;  // cluster.h:116
+    wire [23:0] candidates_7_store_2_2 = chosen_8;  // cluster.h:116
+    wire [12:0] candidates_7_store_2_3 = chosen_11;  // cluster.h:116
+    wire [11:0] candidates_7_store_2_4 = chosen_6;  // cluster.h:116
+    wire [11:0] candidates_7_store_2_5 = chosen_7;  // cluster.h:116
+    wire candidates_7_store_2_6 = chosen_10;  // cluster.h:116
+    wire [7:0] candidates_7_store_2_7 = value_27;  // cluster.h:116
+    wire [102:0] candidates_7_store_2_word = {candidates_7_store_2_7_s1, candidates_7_store_2_6, candidates_7_store_2_5, candidates_7_store_2_4, candidates_7_store_2_3, candidates_7_store_2_2, candidates_7_store_2_1, candidates_7_store_2_0_s5};  // cluster.h:116
+    wire [8:0] candidates_7_store_3_0 = 9'd0;  // cluster.h:118
+    wire [23:0] candidates_7_store_3_1 = candidates_4_data_2;  // cluster.h:118
+    wire [23:0] candidates_7_store_3_2 = candidates_3_data_2;  // cluster.h:118
+    wire [12:0] candidates_7_store_3_3 = candidates_0_data;  // cluster.h:118
+    wire [11:0] candidates_7_store_3_4 = candidates_1_data;  // cluster.h:118
+    wire [11:0] candidates_7_store_3_5 = candidates_2_data;  // cluster.h:118
+    wire candidates_7_store_3_6 = candidates_5_data;  // cluster.h:118
+    wire [7:0] candidates_7_store_3_7 = candidates_6_data;  // cluster.h:118
+    wire [102:0] candidates_7_store_3_word = {candidates_7_store_3_7, candidates_7_store_3_6, candidates_7_store_3_5, candidates_7_store_3_4, candidates_7_store_3_3, candidates_7_store_3_2, candidates_7_store_3_1, candidates_7_store_3_0_s1};  // cluster.h:118
     wire [8:0] sum_9 = line_2 + 9'd1;  // cluster.h:103
     wire test_10 = sum_9 < line_count;  // cluster.h:103
 
     // cluster.h:126:3: loop for_7, II = 1, 2 stages
     wire [6:0] value_54 = line_3[6:0];  // cluster.h:128
-    wire [8:0] candidates_7_data_4 = candidates_7_q;  // cluster.h:128
+    wire [102:0] candidates_7_data_4_element = candidates_q;  // cluster.h:128
+    wire [8:0] candidates_7_data_4_0_part = candidates_7_data_4_element[8:0];  // cluster.h:128
+    wire [8:0] candidates_7_data_4 = candidates_7_data_4_0_part;  // cluster.h:128
     wire test_11 = candidates_7_data_4 != 9'd0;  // cluster.h:129
     wire test_12 = candidates_7_data_4 >= {1'd0, min_lines};  // cluster.h:129
     wire both_10 = test_11 & test_12;  // cluster.h:129
-    wire [7:0] candidates_6_data_2 = candidates_6_q;  // cluster.h:128
-    wire candidates_5_data_3 = candidates_5_q;  // cluster.h:128
-    wire [23:0] candidates_4_data_4 = candidates_4_q;  // cluster.h:128
-    wire [23:0] candidates_3_data_4 = candidates_3_q;  // cluster.h:128
-    wire [11:0] candidates_2_data_3 = candidates_2_q;  // cluster.h:128
-    wire [11:0] candidates_1_data_3 = candidates_1_q;  // cluster.h:128
-    wire [12:0] candidates_0_data_3 = candidates_0_q;  // cluster.h:128
+    wire [7:0] candidates_6_data_2_7_above = candidates_7_data_4_element[102:95];  // cluster.h:128
+    wire [7:0] candidates_6_data_2_7_part = candidates_6_data_2_7_above;  // cluster.h:128
+    wire [7:0] candidates_6_data_2 = candidates_6_data_2_7_part;  // cluster.h:128
+    wire [8:0] candidates_5_data_3_6_above = candidates_7_data_4_element[102:94];  // cluster.h:128
+    wire candidates_5_data_3_6_part = candidates_5_data_3_6_above[0];  // cluster.h:128
+    wire candidates_5_data_3 = candidates_5_data_3_6_part;  // cluster.h:128
+    wire [93:0] candidates_4_data_4_1_above = candidates_7_data_4_element[102:9];  // cluster.h:128
+    wire [23:0] candidates_4_data_4_1_part = candidates_4_data_4_1_above[23:0];  // cluster.h:128
+    wire [23:0] candidates_4_data_4 = candidates_4_data_4_1_part;  // cluster.h:128
+    wire [69:0] candidates_3_data_4_2_above = candidates_7_data_4_element[102:33];  // cluster.h:128
+    wire [23:0] candidates_3_data_4_2_part = candidates_3_data_4_2_above[23:0];  // cluster.h:128
+    wire [23:0] candidates_3_data_4 = candidates_3_data_4_2_part;  // cluster.h:128
+    wire [20:0] candidates_2_data_3_5_above = candidates_7_data_4_element[102:82];  // cluster.h:128
+    wire [11:0] candidates_2_data_3_5_part = candidates_2_data_3_5_above[11:0];  // cluster.h:128
+    wire [11:0] candidates_2_data_3 = candidates_2_data_3_5_part;  // cluster.h:128
+    wire [32:0] candidates_1_data_3_4_above = candidates_7_data_4_element[102:70];  // cluster.h:128
+    wire [11:0] candidates_1_data_3_4_part = candidates_1_data_3_4_above[11:0];  // cluster.h:128
+    wire [11:0] candidates_1_data_3 = candidates_1_data_3_4_part;  // cluster.h:128
+    wire [45:0] candidates_0_data_3_3_above = candidates_7_data_4_element[102:57];  // cluster.h:128
+    wire [12:0] candidates_0_data_3_3_part = candidates_0_data_3_3_above[12:0];  // cluster.h:128
+    wire [12:0] candidates_0_data_3 = candidates_0_data_3_3_part;  // cluster.h:128
     wire [7:0] both_11 = line_3[7:0];  // cluster.h:132
     wire [15:0] shifted_15 = {candidates_6_data_2, 8'd0};  // cluster.h:132
     wire [15:0] either_2 = shifted_15 | {8'd0, both_11_s1};  // cluster.h:132
@@ -425,26 +374,28 @@ module cluster (
     wire [100:0] either_7 = {24'd0, either_6} | shifted_20;  // cluster.h:132
     wire [101:0] shifted_21 = {candidates_5_data_3, 101'd0};  // cluster.h:132
     wire [101:0] either_8 = {1'd0, either_7} | shifted_21;  // cluster.h:132
+    wire [8:0] candidates_7_store_4_0 = 9'd0;  // cluster.h:135
+    wire [93:0] candidates_7_store_4_1_above = candidates_7_data_4_element[102:9];  // cluster.h:135
+    wire [23:0] candidates_7_store_4_1_part = candidates_7_store_4_1_above[23:0];  // cluster.h:135
+    wire [69:0] candidates_7_store_4_2_above = candidates_7_data_4_element[102:33];  // cluster.h:135
+    wire [23:0] candidates_7_store_4_2_part = candidates_7_store_4_2_above[23:0];  // cluster.h:135
+    wire [45:0] candidates_7_store_4_3_above = candidates_7_data_4_element[102:57];  // cluster.h:135
+    wire [12:0] candidates_7_store_4_3_part = candidates_7_store_4_3_above[12:0];  // cluster.h:135
+    wire [32:0] candidates_7_store_4_4_above = candidates_7_data_4_element[102:70];  // cluster.h:135
+    wire [11:0] candidates_7_store_4_4_part = candidates_7_store_4_4_above[11:0];  // cluster.h:135
+    wire [20:0] candidates_7_store_4_5_above = candidates_7_data_4_element[102:82];  // cluster.h:135
+    wire [11:0] candidates_7_store_4_5_part = candidates_7_store_4_5_above[11:0];  // cluster.h:135
+    wire [8:0] candidates_7_store_4_6_above = candidates_7_data_4_element[102:94];  // cluster.h:135
+    wire candidates_7_store_4_6_part = candidates_7_store_4_6_above[0];  // cluster.h:135
+    wire [7:0] candidates_7_store_4_7_above = candidates_7_data_4_element[102:95];  // cluster.h:135
+    wire [7:0] candidates_7_store_4_7_part = candidates_7_store_4_7_above;  // cluster.h:135
+    wire [102:0] candidates_7_store_4_word = {candidates_7_store_4_7_part, candidates_7_store_4_6_part, candidates_7_store_4_5_part, candidates_7_store_4_4_part, candidates_7_store_4_3_part, candidates_7_store_4_2_part, candidates_7_store_4_1_part, candidates_7_store_4_0_s1};  // cluster.h:135
     wire [8:0] sum_10 = line_3 + 9'd1;  // cluster.h:126
     wire test_13 = sum_10 < line_count;  // cluster.h:126
 
     // cluster.h:138:13: for_9
 
-    // memory candidates_7: 128 x 9
-
-    // memory candidates_4: 128 x 24
-
-    // memory candidates_3: 128 x 24
-
-    // memory candidates_0: 128 x 13
-
-    // memory candidates_1: 128 x 12
-
-    // memory candidates_2: 128 x 12
-
-    // memory candidates_5: 128 x 1
-
-    // memory candidates_6: 128 x 8
+    // memory candidates: 128 x 103
 
     assign stall = ((state == S_ENTRY) & ~points_empty_n) | ((state == S_FOR_9) & ~obstacles_full_n);
     assign while_3_ce = ~((while_3_active[0] & ~points_empty_n));
@@ -452,116 +403,18 @@ module cluster (
     assign for_7_ce = ~((for_7_active[1] & both_10 & ~obstacles_full_n));
 
 
-    reg [8:0] candidates_7_words [0:127];
-    reg [8:0] candidates_7_read;
-    assign candidates_7_q = candidates_7_read;
+    reg [102:0] candidates_words [0:127];
+    reg [102:0] candidates_read;
+    assign candidates_q = candidates_read;
     // synthesis translate_off
-    integer candidates_7_index;
+    integer candidates_index;
     initial
-        for (candidates_7_index = 0; candidates_7_index < 128; candidates_7_index = candidates_7_index + 1)
-            candidates_7_words[candidates_7_index] = 9'd0;
+        for (candidates_index = 0; candidates_index < 128; candidates_index = candidates_index + 1)
+            candidates_words[candidates_index] = 103'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if ((while_3_active[2] & while_3_ce & either) | (for_5_active[4] & for_5_ce & both_5_s4) | (for_5_active[5] & for_5_ce & both_5_s5) | (for_7_active[1] & for_7_ce)) candidates_7_words[while_3_active[2] & either ? value_8_s2 : for_5_active[4] & both_5_s4 ? value_46_s4 : for_5_active[5] & both_5_s5 ? value_24_s5 : value_54_s1] <= while_3_active[2] & either ? 9'd1 : for_5_active[4] & both_5_s4 ? sum_8 : for_5_active[5] & both_5_s5 ? 9'd0 : 9'd0;
-        if ((while_3_active[0] & while_3_ce) | (for_5_active[0] & for_5_ce) | (for_5_active[3] & for_5_ce) | (for_7_active[0] & for_7_ce)) candidates_7_read <= candidates_7_words[while_3_active[0] ? value_8 : for_5_active[0] ? value_24 : for_5_active[3] ? value_46 : value_54];
-    end
-
-    reg [23:0] candidates_4_words [0:127];
-    reg [23:0] candidates_4_read;
-    assign candidates_4_q = candidates_4_read;
-    // synthesis translate_off
-    integer candidates_4_index;
-    initial
-        for (candidates_4_index = 0; candidates_4_index < 128; candidates_4_index = candidates_4_index + 1)
-            candidates_4_words[candidates_4_index] = 24'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if ((while_3_active[2] & while_3_ce & either) | (for_5_active[5] & for_5_ce & both_5_s5) | (for_5_active[6] & for_5_ce & both_5_s6)) candidates_4_words[while_3_active[2] & either ? value_8_s2 : for_5_active[5] & both_5_s5 ? value_46_s5 : value_24_s6] <= while_3_active[2] & either ? point_13_s2 : for_5_active[5] & both_5_s5 ? chosen_9 : candidates_4_data_2_s6;
-        if ((while_3_active[0] & while_3_ce) | (for_5_active[0] & for_5_ce) | (for_5_active[3] & for_5_ce) | (for_7_active[0] & for_7_ce)) candidates_4_read <= candidates_4_words[while_3_active[0] ? value_8 : for_5_active[0] ? value_24 : for_5_active[3] ? value_46 : value_54];
-    end
-
-    reg [23:0] candidates_3_words [0:127];
-    reg [23:0] candidates_3_read;
-    assign candidates_3_q = candidates_3_read;
-    // synthesis translate_off
-    integer candidates_3_index;
-    initial
-        for (candidates_3_index = 0; candidates_3_index < 128; candidates_3_index = candidates_3_index + 1)
-            candidates_3_words[candidates_3_index] = 24'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if ((while_3_active[2] & while_3_ce & either) | (for_5_active[5] & for_5_ce & both_5_s5) | (for_5_active[6] & for_5_ce & both_5_s6)) candidates_3_words[while_3_active[2] & either ? value_8_s2 : for_5_active[5] & both_5_s5 ? value_46_s5 : value_24_s6] <= while_3_active[2] & either ? point_14_s2 : for_5_active[5] & both_5_s5 ? chosen_8 : candidates_3_data_2_s6;
-        if ((while_3_active[0] & while_3_ce) | (for_5_active[0] & for_5_ce) | (for_5_active[3] & for_5_ce) | (for_7_active[0] & for_7_ce)) candidates_3_read <= candidates_3_words[while_3_active[0] ? value_8 : for_5_active[0] ? value_24 : for_5_active[3] ? value_46 : value_54];
-    end
-
-    reg [12:0] candidates_0_words [0:127];
-    reg [12:0] candidates_0_read;
-    assign candidates_0_q = candidates_0_read;
-    // synthesis translate_off
-    integer candidates_0_index;
-    initial
-        for (candidates_0_index = 0; candidates_0_index < 128; candidates_0_index = candidates_0_index + 1)
-            candidates_0_words[candidates_0_index] = 13'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if ((while_3_active[2] & while_3_ce & either) | (for_5_active[5] & for_5_ce & both_5_s5) | (for_5_active[6] & for_5_ce & both_5_s6)) candidates_0_words[while_3_active[2] & either ? value_8_s2 : for_5_active[5] & both_5_s5 ? value_46_s5 : value_24_s6] <= while_3_active[2] & either ? point_9_s2 : for_5_active[5] & both_5_s5 ? chosen_11 : candidates_0_data_s6;
-        if ((for_5_active[0] & for_5_ce) | (for_5_active[3] & for_5_ce) | (for_7_active[0] & for_7_ce)) candidates_0_read <= candidates_0_words[for_5_active[0] ? value_24 : for_5_active[3] ? value_46 : value_54];
-    end
-
-    reg [11:0] candidates_1_words [0:127];
-    reg [11:0] candidates_1_read;
-    assign candidates_1_q = candidates_1_read;
-    // synthesis translate_off
-    integer candidates_1_index;
-    initial
-        for (candidates_1_index = 0; candidates_1_index < 128; candidates_1_index = candidates_1_index + 1)
-            candidates_1_words[candidates_1_index] = 12'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if ((while_3_active[2] & while_3_ce & either) | (for_5_active[5] & for_5_ce & both_5_s5) | (for_5_active[6] & for_5_ce & both_5_s6)) candidates_1_words[while_3_active[2] & either ? value_8_s2 : for_5_active[5] & both_5_s5 ? value_46_s5 : value_24_s6] <= while_3_active[2] & either ? point_10_s2 : for_5_active[5] & both_5_s5 ? chosen_6 : candidates_1_data_s6;
-        if ((for_5_active[0] & for_5_ce) | (for_5_active[3] & for_5_ce) | (for_7_active[0] & for_7_ce)) candidates_1_read <= candidates_1_words[for_5_active[0] ? value_24 : for_5_active[3] ? value_46 : value_54];
-    end
-
-    reg [11:0] candidates_2_words [0:127];
-    reg [11:0] candidates_2_read;
-    assign candidates_2_q = candidates_2_read;
-    // synthesis translate_off
-    integer candidates_2_index;
-    initial
-        for (candidates_2_index = 0; candidates_2_index < 128; candidates_2_index = candidates_2_index + 1)
-            candidates_2_words[candidates_2_index] = 12'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if ((while_3_active[2] & while_3_ce & either) | (for_5_active[5] & for_5_ce & both_5_s5) | (for_5_active[6] & for_5_ce & both_5_s6)) candidates_2_words[while_3_active[2] & either ? value_8_s2 : for_5_active[5] & both_5_s5 ? value_46_s5 : value_24_s6] <= while_3_active[2] & either ? point_11_s2 : for_5_active[5] & both_5_s5 ? chosen_7 : candidates_2_data_s6;
-        if ((for_5_active[0] & for_5_ce) | (for_5_active[3] & for_5_ce) | (for_7_active[0] & for_7_ce)) candidates_2_read <= candidates_2_words[for_5_active[0] ? value_24 : for_5_active[3] ? value_46 : value_54];
-    end
-
-    reg candidates_5_words [0:127];
-    reg candidates_5_read;
-    assign candidates_5_q = candidates_5_read;
-    // synthesis translate_off
-    integer candidates_5_index;
-    initial
-        for (candidates_5_index = 0; candidates_5_index < 128; candidates_5_index = candidates_5_index + 1)
-            candidates_5_words[candidates_5_index] = 1'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if ((while_3_active[2] & while_3_ce & either) | (for_5_active[5] & for_5_ce & both_5_s5) | (for_5_active[6] & for_5_ce & both_5_s6)) candidates_5_words[while_3_active[2] & either ? value_8_s2 : for_5_active[5] & both_5_s5 ? value_46_s5 : value_24_s6] <= while_3_active[2] & either ? point_12_s2 : for_5_active[5] & both_5_s5 ? chosen_10 : candidates_5_data_s6;
-        if ((for_5_active[0] & for_5_ce) | (for_5_active[3] & for_5_ce) | (for_7_active[0] & for_7_ce)) candidates_5_read <= candidates_5_words[for_5_active[0] ? value_24 : for_5_active[3] ? value_46 : value_54];
-    end
-
-    reg [7:0] candidates_6_words [0:127];
-    reg [7:0] candidates_6_read;
-    assign candidates_6_q = candidates_6_read;
-    // synthesis translate_off
-    integer candidates_6_index;
-    initial
-        for (candidates_6_index = 0; candidates_6_index < 128; candidates_6_index = candidates_6_index + 1)
-            candidates_6_words[candidates_6_index] = 8'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if ((while_3_active[2] & while_3_ce & either) | (for_5_active[3] & for_5_ce & both_5) | (for_5_active[4] & for_5_ce & both_5_s4)) candidates_6_words[while_3_active[2] & either ? value_8_s2 : for_5_active[3] & both_5 ? value_46 : value_24_s4] <= while_3_active[2] & either ? point_15_s2 : for_5_active[3] & both_5 ? value_27_s3 : candidates_6_data_s4;
-        if ((for_5_active[0] & for_5_ce) | (for_7_active[0] & for_7_ce)) candidates_6_read <= candidates_6_words[for_5_active[0] ? value_24 : value_54];
+        if ((while_3_active[2] & while_3_ce & either) | (for_5_active[5] & for_5_ce & both_5_s4) | (for_5_active[6] & for_5_ce & both_5_s4) | (for_7_active[1] & for_7_ce)) candidates_words[while_3_active[2] & either ? value_8_s1 : for_5_active[5] & both_5_s4 ? value_46_s4 : for_5_active[6] & both_5_s4 ? value_24_s1 : value_54_s1] <= while_3_active[2] & either ? candidates_7_store_word_s1 : for_5_active[5] & both_5_s4 ? candidates_7_store_2_word : for_5_active[6] & both_5_s4 ? candidates_7_store_3_word_s2 : candidates_7_store_4_word;
+        if ((while_3_active[0] & while_3_ce) | (for_5_active[0] & for_5_ce) | (for_5_active[3] & for_5_ce) | (for_7_active[0] & for_7_ce)) candidates_read <= candidates_words[while_3_active[0] ? value_8 : for_5_active[0] ? value_24 : for_5_active[3] ? value_46 : value_54];
     end
     assign points_read = ((state == S_ENTRY) & ~stall) | (while_3_active[0] & while_3_ce);
     assign obstacles_write = (for_7_active[1] & for_7_ce & both_10) | ((state == S_FOR_9) & ~stall);
@@ -573,19 +426,19 @@ module cluster (
 
     always @(posedge clk) begin
         if (while_3_ce) begin
-            while_3_active[0] <= while_3_active[2] & ~point_22_s2;
+            while_3_active[0] <= while_3_active[2] & ~point_22_s1;
             while_3_active[1] <= while_3_active[0];
             while_3_active[2] <= while_3_active[1];
         end
-        if (while_3_active[2] & while_3_ce) point_9 <= shifted_5_s2;
-        if (while_3_active[2] & while_3_ce) point_10 <= shifted_6_s2;
-        if (while_3_active[2] & while_3_ce) point_11 <= shifted_7_s2;
-        if (while_3_active[2] & while_3_ce) point_12 <= shifted_10_s2;
-        if (while_3_active[2] & while_3_ce) point_13 <= shifted_9_s2;
-        if (while_3_active[2] & while_3_ce) point_14 <= shifted_8_s2;
-        if (while_3_active[2] & while_3_ce) point_15 <= line_s2;
+        if (while_3_active[2] & while_3_ce) point_9 <= shifted_5_s1;
+        if (while_3_active[2] & while_3_ce) point_10 <= shifted_6_s1;
+        if (while_3_active[2] & while_3_ce) point_11 <= shifted_7_s1;
+        if (while_3_active[2] & while_3_ce) point_12 <= shifted_10_s1;
+        if (while_3_active[2] & while_3_ce) point_13 <= shifted_9_s1;
+        if (while_3_active[2] & while_3_ce) point_14 <= shifted_8_s1;
+        if (while_3_active[2] & while_3_ce) point_15 <= line_s1;
         if (for_5_ce) begin
-            for_5_active[0] <= for_5_active[5] & test_10_s5;
+            for_5_active[0] <= for_5_active[5] & test_10_s1;
             for_5_active[1] <= for_5_active[0];
             for_5_active[2] <= for_5_active[1];
             for_5_active[3] <= for_5_active[2];
@@ -593,19 +446,19 @@ module cluster (
             for_5_active[5] <= for_5_active[4];
             for_5_active[6] <= for_5_active[5];
         end
-        if (for_5_active[5] & for_5_ce) line_2 <= sum_9_s5;
-        if (for_5_active[5] & for_5_ce) first <= here_3_s5;
-        if (for_5_active[5] & for_5_ce) first_2 <= shifted_12_s5;
-        if (for_5_active[5] & for_5_ce) first_3 <= shifted_11_s5;
-        if (for_5_active[5] & for_5_ce) first_4 <= test_4_s5;
-        if (for_5_active[5] & for_5_ce) second <= first_s5;
-        if (for_5_active[5] & for_5_ce) second_2 <= first_2_s5;
-        if (for_5_active[5] & for_5_ce) second_3 <= first_3_s5;
-        if (for_5_active[5] & for_5_ce) second_4 <= first_4_s5;
-        if (for_5_active[5] & for_5_ce) third <= second_s5;
-        if (for_5_active[5] & for_5_ce) third_2 <= second_2_s5;
-        if (for_5_active[5] & for_5_ce) third_3 <= second_3_s5;
-        if (for_5_active[5] & for_5_ce) third_4 <= second_4_s5;
+        if (for_5_active[5] & for_5_ce) line_2 <= sum_9_s1;
+        if (for_5_active[5] & for_5_ce) first <= here_3_s4;
+        if (for_5_active[5] & for_5_ce) first_2 <= shifted_12_s2;
+        if (for_5_active[5] & for_5_ce) first_3 <= shifted_11_s2;
+        if (for_5_active[5] & for_5_ce) first_4 <= test_4_s2;
+        if (for_5_active[5] & for_5_ce) second <= first;
+        if (for_5_active[5] & for_5_ce) second_2 <= first_2;
+        if (for_5_active[5] & for_5_ce) second_3 <= first_3;
+        if (for_5_active[5] & for_5_ce) second_4 <= first_4;
+        if (for_5_active[5] & for_5_ce) third <= second;
+        if (for_5_active[5] & for_5_ce) third_2 <= second_2;
+        if (for_5_active[5] & for_5_ce) third_3 <= second_3;
+        if (for_5_active[5] & for_5_ce) third_4 <= second_4;
         if (for_7_ce) begin
             for_7_active[0] <= for_7_active[0] & test_13;
             for_7_active[1] <= for_7_active[0];
@@ -633,7 +486,7 @@ module cluster (
                 point_14 <= point_4;
                 point_15 <= point_8;
             end
-            S_WHILE_3: if (while_3_active[2] & while_3_ce & point_22_s2) begin
+            S_WHILE_3: if (while_3_active[2] & while_3_ce & point_22_s1) begin
                 state <= S_FOR_3;
             end
             S_FOR_3: if (~stall) begin
@@ -657,7 +510,7 @@ module cluster (
                     third_4 <= 1'd0;
                 end
             end
-            S_FOR_5: if (for_5_active[6] & for_5_ce & ~test_10_s6) begin
+            S_FOR_5: if (for_5_active[6] & for_5_ce & ~test_10_s1) begin
                 state <= S_FOR_7;
                 for_7_active[0] <= 1'b1;
                 line_3 <= 9'd0;
@@ -682,194 +535,81 @@ module cluster (
     always @(posedge clk) begin
         if ((state == S_ENTRY) & ~stall) product_q <= product;
         if ((state == S_ENTRY) & ~stall) points_data_q <= points_data;
-        if (while_3_ce) begin
-            point_9_s1 <= point_9;
-            point_9_s2 <= point_9_s1;
-            point_10_s1 <= point_10;
-            point_10_s2 <= point_10_s1;
-            point_11_s1 <= point_11;
-            point_11_s2 <= point_11_s1;
-            point_12_s1 <= point_12;
-            point_12_s2 <= point_12_s1;
-            point_13_s1 <= point_13;
-            point_13_s2 <= point_13_s1;
-            point_14_s1 <= point_14;
-            point_14_s2 <= point_14_s1;
-            point_15_s1 <= point_15;
-            point_15_s2 <= point_15_s1;
+        if (while_3_active[0] & while_3_ce) begin
             value_8_s1 <= value_8;
-            value_8_s2 <= value_8_s1;
-            test_s2 <= test;
             sum_s1 <= sum;
-            sum_s2 <= sum_s1;
-            sum_2_s2 <= sum_2;
             line_s1 <= line;
-            line_s2 <= line_s1;
             shifted_5_s1 <= shifted_5;
-            shifted_5_s2 <= shifted_5_s1;
             shifted_6_s1 <= shifted_6;
-            shifted_6_s2 <= shifted_6_s1;
             shifted_7_s1 <= shifted_7;
-            shifted_7_s2 <= shifted_7_s1;
             shifted_8_s1 <= shifted_8;
-            shifted_8_s2 <= shifted_8_s1;
             shifted_9_s1 <= shifted_9;
-            shifted_9_s2 <= shifted_9_s1;
             shifted_10_s1 <= shifted_10;
-            shifted_10_s2 <= shifted_10_s1;
             point_22_s1 <= point_22;
-            point_22_s2 <= point_22_s1;
+            candidates_7_store_word_s1 <= candidates_7_store_word;
         end
-        if (for_5_ce) begin
-            line_2_s1 <= line_2;
-            line_2_s2 <= line_2_s1;
-            line_2_s3 <= line_2_s2;
-            first_s1 <= first;
-            first_s2 <= first_s1;
-            first_s3 <= first_s2;
-            first_s4 <= first_s3;
-            first_s5 <= first_s4;
-            first_2_s1 <= first_2;
-            first_2_s2 <= first_2_s1;
-            first_2_s3 <= first_2_s2;
-            first_2_s4 <= first_2_s3;
-            first_2_s5 <= first_2_s4;
-            first_3_s1 <= first_3;
-            first_3_s2 <= first_3_s1;
-            first_3_s3 <= first_3_s2;
-            first_3_s4 <= first_3_s3;
-            first_3_s5 <= first_3_s4;
-            first_4_s1 <= first_4;
-            first_4_s2 <= first_4_s1;
-            first_4_s3 <= first_4_s2;
-            first_4_s4 <= first_4_s3;
-            first_4_s5 <= first_4_s4;
-            second_s1 <= second;
-            second_s2 <= second_s1;
-            second_s3 <= second_s2;
-            second_s4 <= second_s3;
-            second_s5 <= second_s4;
-            second_2_s1 <= second_2;
-            second_2_s2 <= second_2_s1;
-            second_2_s3 <= second_2_s2;
-            second_2_s4 <= second_2_s3;
-            second_2_s5 <= second_2_s4;
-            second_3_s1 <= second_3;
-            second_3_s2 <= second_3_s1;
-            second_3_s3 <= second_3_s2;
-            second_3_s4 <= second_3_s3;
-            second_3_s5 <= second_3_s4;
-            second_4_s1 <= second_4;
-            second_4_s2 <= second_4_s1;
-            second_4_s3 <= second_4_s2;
-            second_4_s4 <= second_4_s3;
-            second_4_s5 <= second_4_s4;
-            third_s1 <= third;
-            third_s2 <= third_s1;
-            third_4_s1 <= third_4;
+        if (while_3_active[1] & while_3_ce) begin
+            test_s2 <= test;
+            sum_2_s2 <= sum_2;
+        end
+        if (for_5_active[0] & for_5_ce) begin
             value_24_s1 <= value_24;
-            value_24_s2 <= value_24_s1;
-            value_24_s3 <= value_24_s2;
-            value_24_s4 <= value_24_s3;
-            value_24_s5 <= value_24_s4;
-            value_24_s6 <= value_24_s5;
-            candidates_0_data_s2 <= candidates_0_data;
-            candidates_0_data_s3 <= candidates_0_data_s2;
-            candidates_0_data_s4 <= candidates_0_data_s3;
-            candidates_0_data_s5 <= candidates_0_data_s4;
-            candidates_0_data_s6 <= candidates_0_data_s5;
-            candidates_1_data_s2 <= candidates_1_data;
-            candidates_1_data_s3 <= candidates_1_data_s2;
-            candidates_1_data_s4 <= candidates_1_data_s3;
-            candidates_1_data_s5 <= candidates_1_data_s4;
-            candidates_1_data_s6 <= candidates_1_data_s5;
-            candidates_2_data_s2 <= candidates_2_data;
-            candidates_2_data_s3 <= candidates_2_data_s2;
-            candidates_2_data_s4 <= candidates_2_data_s3;
-            candidates_2_data_s5 <= candidates_2_data_s4;
-            candidates_2_data_s6 <= candidates_2_data_s5;
-            candidates_3_data_2_s2 <= candidates_3_data_2;
-            candidates_3_data_2_s3 <= candidates_3_data_2_s2;
-            candidates_3_data_2_s4 <= candidates_3_data_2_s3;
-            candidates_3_data_2_s5 <= candidates_3_data_2_s4;
-            candidates_3_data_2_s6 <= candidates_3_data_2_s5;
-            candidates_4_data_2_s2 <= candidates_4_data_2;
-            candidates_4_data_2_s3 <= candidates_4_data_2_s2;
-            candidates_4_data_2_s4 <= candidates_4_data_2_s3;
-            candidates_4_data_2_s5 <= candidates_4_data_2_s4;
-            candidates_4_data_2_s6 <= candidates_4_data_2_s5;
-            candidates_5_data_s2 <= candidates_5_data;
-            candidates_5_data_s3 <= candidates_5_data_s2;
-            candidates_5_data_s4 <= candidates_5_data_s3;
-            candidates_5_data_s5 <= candidates_5_data_s4;
-            candidates_5_data_s6 <= candidates_5_data_s5;
-            candidates_6_data_s2 <= candidates_6_data;
-            candidates_6_data_s3 <= candidates_6_data_s2;
-            candidates_6_data_s4 <= candidates_6_data_s3;
-            test_4_s2 <= test_4;
-            test_4_s3 <= test_4_s2;
-            test_4_s4 <= test_4_s3;
-            test_4_s5 <= test_4_s4;
-            shifted_11_s2 <= shifted_11;
-            shifted_11_s3 <= shifted_11_s2;
-            shifted_11_s4 <= shifted_11_s3;
-            shifted_11_s5 <= shifted_11_s4;
-            shifted_12_s2 <= shifted_12;
-            shifted_12_s3 <= shifted_12_s2;
-            shifted_12_s4 <= shifted_12_s3;
-            shifted_12_s5 <= shifted_12_s4;
             value_27_s1 <= value_27;
-            value_27_s2 <= value_27_s1;
-            value_27_s3 <= value_27_s2;
             value_29_s1 <= value_29;
             value_31_s1 <= value_31;
+            value_35_s1 <= value_35;
+            value_36_s1 <= value_36;
+            value_40_s1 <= value_40;
+            value_41_s1 <= value_41;
+            sum_9_s1 <= sum_9;
+            test_10_s1 <= test_10;
+            candidates_7_store_2_7_s1 <= candidates_7_store_2_7;
+            candidates_7_store_3_0_s1 <= candidates_7_store_3_0;
+        end
+        if (for_5_active[1] & for_5_ce) begin
+            candidates_0_data_s2 <= candidates_0_data;
+            candidates_1_data_s2 <= candidates_1_data;
+            candidates_2_data_s2 <= candidates_2_data;
+            candidates_3_data_2_s2 <= candidates_3_data_2;
+            candidates_4_data_2_s2 <= candidates_4_data_2;
+            candidates_5_data_s2 <= candidates_5_data;
+            test_4_s2 <= test_4;
+            shifted_11_s2 <= shifted_11;
+            shifted_12_s2 <= shifted_12;
             product_6_s2 <= product_6;
             product_7_s2 <= product_7;
             both_4_s2 <= both_4;
-            value_35_s1 <= value_35;
-            value_36_s1 <= value_36;
             product_8_s2 <= product_8;
             product_9_s2 <= product_9;
-            here_2_s3 <= here_2;
-            value_40_s1 <= value_40;
-            value_41_s1 <= value_41;
             product_10_s2 <= product_10;
             product_11_s2 <= product_11;
+            sum_6_s2 <= sum_6;
+            candidates_7_store_3_word_s2 <= candidates_7_store_3_word;
+        end
+        if (for_5_active[2] & for_5_ce) begin
+            here_2_s3 <= here_2;
             chosen_4_s3 <= chosen_4;
+        end
+        if (for_5_active[3] & for_5_ce) begin
             here_3_s4 <= here_3;
-            here_3_s5 <= here_3_s4;
             both_5_s4 <= both_5;
-            both_5_s5 <= both_5_s4;
-            both_5_s6 <= both_5_s5;
             value_46_s4 <= value_46;
-            value_46_s5 <= value_46_s4;
+        end
+        if (for_5_active[4] & for_5_ce) begin
             candidates_3_data_3_s5 <= candidates_3_data_3;
             candidates_4_data_3_s5 <= candidates_4_data_3;
-            sum_6_s2 <= sum_6;
-            sum_6_s3 <= sum_6_s2;
-            sum_6_s4 <= sum_6_s3;
-            sum_6_s5 <= sum_6_s4;
             sum_7_s5 <= sum_7;
             candidates_5_data_2_s5 <= candidates_5_data_2;
             candidates_2_data_2_s5 <= candidates_2_data_2;
             candidates_1_data_2_s5 <= candidates_1_data_2;
             candidates_0_data_2_s5 <= candidates_0_data_2;
-            sum_9_s1 <= sum_9;
-            sum_9_s2 <= sum_9_s1;
-            sum_9_s3 <= sum_9_s2;
-            sum_9_s4 <= sum_9_s3;
-            sum_9_s5 <= sum_9_s4;
-            test_10_s1 <= test_10;
-            test_10_s2 <= test_10_s1;
-            test_10_s3 <= test_10_s2;
-            test_10_s4 <= test_10_s3;
-            test_10_s5 <= test_10_s4;
-            test_10_s6 <= test_10_s5;
+            candidates_7_store_2_0_s5 <= candidates_7_store_2_0;
         end
         if (for_7_ce) begin
             value_54_s1 <= value_54;
             both_11_s1 <= both_11;
             test_13_s1 <= test_13;
+            candidates_7_store_4_0_s1 <= candidates_7_store_4_0;
         end
     end
 

@@ -80,11 +80,6 @@ module polar (
     reg [11:0] at_3;
     reg [11:0] high_before;
     reg [5:0] for_2_active;  // stages at work
-    wire [11:0] left_columns_0_q;
-    wire [1:0] left_columns_2_q;
-    wire [11:0] right_columns_0_q;
-    wire right_columns_1_q;
-    wire [1:0] right_columns_2_q;
     wire [11:0] lines_first_row_V_q = lines_first_row_V_q0;
     wire [11:0] lines_last_row_V_q = lines_last_row_V_q0;
     wire [11:0] lines_first_run_V_q = lines_first_run_V_q0;
@@ -94,17 +89,11 @@ module polar (
     wire [11:0] lines_divisor_V_q = lines_divisor_V_q0;
     wire lines_leftward_V_q = lines_leftward_V_q0;
     wire lines_contact_first_V_q = lines_contact_first_V_q0;
-    wire [11:0] states_3_q;
-    wire [1:0] states_4_q;
-    wire [11:0] states_5_q;
-    wire [11:0] states_6_q;
-    wire [11:0] states_7_q;
-    wire [12:0] states_8_q;
-    wire [11:0] states_1_q;
-    wire [12:0] states_0_q;
     wire [11:0] lines_first_error_V_q = lines_first_error_V_q0;
     wire [12:0] lines_first_column_V_q = lines_first_column_V_q0;
-    wire states_2_q;
+    wire [13:0] left_columns_q;
+    wire [14:0] right_columns_q;
+    wire [88:0] states_q;
     reg [8:0] walked_q;
     reg [9:0] tail_q;
     reg [11:0] sum_2_q;
@@ -207,6 +196,18 @@ module polar (
     reg [20:0] chosen_26_s2;
     reg [20:0] chosen_26_s3;
     reg [20:0] chosen_26_s4;
+    reg [11:0] states_8_store_0_s4;
+    reg [11:0] states_8_store_2_s4;
+    reg [11:0] states_8_store_3_s4;
+    reg [11:0] states_8_store_4_s4;
+    reg [12:0] states_8_store_5_s4;
+    reg [11:0] states_8_store_6_s3;
+    reg [11:0] states_8_store_6_s4;
+    reg [12:0] states_8_store_7_s3;
+    reg [12:0] states_8_store_7_s4;
+    reg states_8_store_8_s2;
+    reg states_8_store_8_s3;
+    reg states_8_store_8_s4;
 
     wire stall;
     wire for_2_ce;
@@ -265,6 +266,13 @@ module polar (
     wire [1:0] chosen_3 = rule_run_rule_V ? either_5 : sum_5;  // polar.h:105
     wire [10:0] index = {centre_2, 1'd0};  // polar.h:231
     wire [10:0] index_2 = {10'd0, differs_2} + index;  // polar.h:231
+    wire [11:0] left_columns_2_store_0 = high_before;  // polar.h:231
+    wire [1:0] left_columns_2_store_1 = chosen_3;  // polar.h:231
+    wire [13:0] left_columns_2_store_word = {left_columns_2_store_1, left_columns_2_store_0};  // polar.h:231
+    wire [11:0] right_columns_2_store_0 = high_before;  // polar.h:232
+    wire right_columns_2_store_1 = shifted;  // polar.h:232
+    wire [1:0] right_columns_2_store_2 = chosen_3;  // polar.h:232
+    wire [14:0] right_columns_2_store_word = {right_columns_2_store_2, right_columns_2_store_1, right_columns_2_store_0};  // polar.h:232
     wire [11:0] sum_6 = high_before + {11'd0, shifted};  // polar.h:233
     wire [11:0] chosen_4 = test_8 ? 12'd0 : sum_6;  // polar.h:233
     wire [11:0] sum_7 = at_2 + 12'd4095;  // polar.h:236
@@ -286,15 +294,31 @@ module polar (
     wire [11:0] lines_divisor_V_data = lines_divisor_V_q;  // polar.h:240
     wire lines_leftward_V_data = lines_leftward_V_q;  // polar.h:240
     wire lines_contact_first_V_data = lines_contact_first_V_q;  // polar.h:240
-    wire [11:0] states_3_data = states_3_q;  // polar.h:112
-    wire [1:0] states_4_data = states_4_q;  // polar.h:112
-    wire [11:0] states_5_data = states_5_q;  // polar.h:112
-    wire [11:0] states_6_data = states_6_q;  // polar.h:112
-    wire [11:0] states_7_data = states_7_q;  // polar.h:112
-    wire [12:0] states_8_data = states_8_q;  // polar.h:112
+    wire [88:0] states_3_data_element = states_q;  // polar.h:112
+    wire [11:0] states_3_data_0_part = states_3_data_element[11:0];  // polar.h:112
+    wire [11:0] states_3_data = states_3_data_0_part;  // polar.h:112
+    wire [76:0] states_4_data_1_above = states_3_data_element[88:12];  // polar.h:112
+    wire [1:0] states_4_data_1_part = states_4_data_1_above[1:0];  // polar.h:112
+    wire [1:0] states_4_data = states_4_data_1_part;  // polar.h:112
+    wire [74:0] states_5_data_2_above = states_3_data_element[88:14];  // polar.h:112
+    wire [11:0] states_5_data_2_part = states_5_data_2_above[11:0];  // polar.h:112
+    wire [11:0] states_5_data = states_5_data_2_part;  // polar.h:112
+    wire [62:0] states_6_data_3_above = states_3_data_element[88:26];  // polar.h:112
+    wire [11:0] states_6_data_3_part = states_6_data_3_above[11:0];  // polar.h:112
+    wire [11:0] states_6_data = states_6_data_3_part;  // polar.h:112
+    wire [50:0] states_7_data_4_above = states_3_data_element[88:38];  // polar.h:112
+    wire [11:0] states_7_data_4_part = states_7_data_4_above[11:0];  // polar.h:112
+    wire [11:0] states_7_data = states_7_data_4_part;  // polar.h:112
+    wire [38:0] states_8_data_5_above = states_3_data_element[88:50];  // polar.h:112
+    wire [12:0] states_8_data_5_part = states_8_data_5_above[12:0];  // polar.h:112
+    wire [12:0] states_8_data = states_8_data_5_part;  // polar.h:112
     wire test_12 = sum_7_s1 == lines_first_row_V_data;  // polar.h:113
-    wire [11:0] states_1_data = states_1_q;
-    wire [12:0] states_0_data = states_0_q;
+    wire [25:0] states_1_data_6_above = states_3_data_element[88:63];
+    wire [11:0] states_1_data_6_part = states_1_data_6_above[11:0];
+    wire [11:0] states_1_data = states_1_data_6_part;
+    wire [13:0] states_0_data_7_above = states_3_data_element[88:75];
+    wire [12:0] states_0_data_7_part = states_0_data_7_above[12:0];
+    wire [12:0] states_0_data = states_0_data_7_part;
     wire differs_3 = ~test_12;
     wire both_13 = both_11_s1 & differs_3;
     wire [11:0] lines_first_error_V_data = lines_first_error_V_q;
@@ -305,7 +329,9 @@ module polar (
     wire [1:0] step_4 = both_13 ? states_4_data : 2'd0;
     wire test_13 = lines_slice_V_data == 12'd0;  // polar.h:120
     wire both_15 = both_11_s1 & test_13;
-    wire states_2_data = states_2_q;  // polar.h:120
+    wire states_2_data_8_above = states_3_data_element[88];  // polar.h:120
+    wire states_2_data_8_part = states_2_data_8_above;  // polar.h:120
+    wire states_2_data = states_2_data_8_part;  // polar.h:120
     wire [11:0] sum_9 = lines_slice_V_data + {11'd0, states_2_data};  // polar.h:120
     wire [11:0] run = both_15 ? 12'd1 : sum_9;  // polar.h:120
     wire [11:0] chosen_5 = test_12 ? lines_first_run_V_data : run;  // polar.h:121
@@ -342,7 +368,10 @@ module polar (
     wire [9:0] chosen_11 = test_18 ? 10'd0 : chosen_10;  // polar.h:244
     wire [10:0] index_3 = {chosen_11, 1'd0};  // polar.h:244
     wire [10:0] index_4 = {10'd0, both_8_s2} + index_3;  // polar.h:244
-    wire [1:0] left_columns_2_data = left_columns_2_q;  // polar.h:244
+    wire [13:0] left_columns_2_data_element = left_columns_q;  // polar.h:244
+    wire [1:0] left_columns_2_data_1_above = left_columns_2_data_element[13:12];  // polar.h:244
+    wire [1:0] left_columns_2_data_1_part = left_columns_2_data_1_above;  // polar.h:244
+    wire [1:0] left_columns_2_data = left_columns_2_data_1_part;  // polar.h:244
     wire test_20 = $signed(chosen_7) < $signed(13'd0);  // polar.h:139
     wire test_21 = $signed(chosen_7) < $signed({1'd0, width});  // polar.h:139
     wire [9:0] value_42 = chosen_7[9:0];  // polar.h:139
@@ -350,14 +379,21 @@ module polar (
     wire [9:0] chosen_13 = test_20 ? 10'd0 : chosen_12;  // polar.h:245
     wire [10:0] index_5 = {chosen_13, 1'd0};  // polar.h:245
     wire [10:0] index_6 = {10'd0, both_8_s2} + index_5;  // polar.h:245
-    wire [1:0] right_columns_2_data = right_columns_2_q;  // polar.h:245
+    wire [14:0] right_columns_2_data_element = right_columns_q;  // polar.h:245
+    wire [1:0] right_columns_2_data_2_above = right_columns_2_data_element[14:13];  // polar.h:245
+    wire [1:0] right_columns_2_data_2_part = right_columns_2_data_2_above;  // polar.h:245
+    wire [1:0] right_columns_2_data = right_columns_2_data_2_part;  // polar.h:245
     wire test_22 = $signed(chosen_7) > $signed(13'd8191);
     wire both_27 = test_19 & test_22;  // polar.h:246
     wire differs_7 = ~both_27;  // polar.h:245
     wire both_29 = both_25_s2 & differs_7;  // polar.h:245
-    wire [11:0] left_columns_0_data = left_columns_0_q;  // polar.h:244
-    wire right_columns_1_data = right_columns_1_q;  // polar.h:245
-    wire [11:0] right_columns_0_data = right_columns_0_q;  // polar.h:245
+    wire [11:0] left_columns_0_data_0_part = left_columns_2_data_element[11:0];  // polar.h:244
+    wire [11:0] left_columns_0_data = left_columns_0_data_0_part;  // polar.h:244
+    wire [2:0] right_columns_1_data_1_above = right_columns_2_data_element[14:12];  // polar.h:245
+    wire right_columns_1_data_1_part = right_columns_1_data_1_above[0];  // polar.h:245
+    wire right_columns_1_data = right_columns_1_data_1_part;  // polar.h:245
+    wire [11:0] right_columns_0_data_0_part = right_columns_2_data_element[11:0];  // polar.h:245
+    wire [11:0] right_columns_0_data = right_columns_0_data_0_part;  // polar.h:245
     wire [11:0] sum_15 = right_columns_0_data + {11'd0, right_columns_1_data};  // polar.h:247
     wire [11:0] difference_4 = sum_15 - left_columns_0_data;  // polar.h:247
     wire [11:0] sum_16 = difference_4 + step_3_s3;  // polar.h:247
@@ -424,6 +460,16 @@ module polar (
     wire [44:0] either_13 = {12'd0, either_12_s4} | shifted_6;  // polar.h:255
     wire [45:0] chosen_24 = test_27 ? 46'd0 : 46'h200000000000;  // polar.h:255
     wire [45:0] either_14 = {1'd0, either_13} | chosen_24;  // polar.h:255
+    wire [11:0] states_8_store_0 = next;  // polar.h:257
+    wire [1:0] states_8_store_1 = next_6;  // polar.h:257
+    wire [11:0] states_8_store_2 = next_5;  // polar.h:257
+    wire [11:0] states_8_store_3 = next_4;  // polar.h:257
+    wire [11:0] states_8_store_4 = next_2;  // polar.h:257
+    wire [12:0] states_8_store_5 = next_3;  // polar.h:257
+    wire [11:0] states_8_store_6 = chosen_8;  // polar.h:257
+    wire [12:0] states_8_store_7 = sum_14;  // polar.h:257
+    wire states_8_store_8 = test_15;  // polar.h:257
+    wire [88:0] states_8_store_word = {states_8_store_8_s4, states_8_store_7_s4, states_8_store_6_s4, states_8_store_5_s4, states_8_store_4_s4, states_8_store_3_s4, states_8_store_2_s4, states_8_store_1, states_8_store_0_s4};  // polar.h:257
     wire [11:0] next_7 = both_26_s3 ? step_3_s3 : next;  // polar.h:257
     wire both_51 = both_11 & test_4;  // polar.h:257
     wire test_32 = sum_7_s1 < lines_first_row_V_data;  // polar.h:260
@@ -439,16 +485,6 @@ module polar (
     wire [11:0] at_5 = test_34 ? 12'd0 : sum_20;  // raster.h:21
 
     // polar.h:267:12: for_3
-
-    // memory left_columns_0: 1280 x 12
-
-    // memory left_columns_2: 1280 x 2
-
-    // memory right_columns_0: 1280 x 12
-
-    // memory right_columns_1: 1280 x 1
-
-    // memory right_columns_2: 1280 x 2
 
     // memory lines_first_row_V: 128 x 12
 
@@ -468,102 +504,20 @@ module polar (
 
     // memory lines_contact_first_V: 128 x 1
 
-    // memory states_3: 128 x 12
-
-    // memory states_4: 128 x 2
-
-    // memory states_5: 128 x 12
-
-    // memory states_6: 128 x 12
-
-    // memory states_7: 128 x 12
-
-    // memory states_8: 128 x 13
-
-    // memory states_1: 128 x 12
-
-    // memory states_0: 128 x 13
-
     // memory lines_first_error_V: 128 x 12
 
     // memory lines_first_column_V: 128 x 13
 
-    // memory states_2: 128 x 1
+    // memory left_columns: 1280 x 14
+
+    // memory right_columns: 1280 x 15
+
+    // memory states: 128 x 89
 
     assign stall = ((state == S_FOR_3) & ~contacts_full_n) | ((state == S_IF_2) & ~counts_full_n);
     assign for_2_ce = ~((for_2_active[5] & both_47 & ~contacts_full_n) | (for_2_active[4] & both_51_s4 & ~counts_full_n));
     assign for_2_front_ce = for_2_ce & ~((for_2_active[0] & differs & ~mask_empty_n));
 
-
-    reg [11:0] left_columns_0_words [0:1279];
-    reg [11:0] left_columns_0_read;
-    assign left_columns_0_q = left_columns_0_read;
-    // synthesis translate_off
-    integer left_columns_0_index;
-    initial
-        for (left_columns_0_index = 0; left_columns_0_index < 1280; left_columns_0_index = left_columns_0_index + 1)
-            left_columns_0_words[left_columns_0_index] = 12'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if (for_2_active[0] & for_2_front_ce & either) left_columns_0_words[index_2] <= high_before;
-        if (for_2_active[2] & for_2_ce) left_columns_0_read <= left_columns_0_words[index_4];
-    end
-
-    reg [1:0] left_columns_2_words [0:1279];
-    reg [1:0] left_columns_2_read;
-    assign left_columns_2_q = left_columns_2_read;
-    // synthesis translate_off
-    integer left_columns_2_index;
-    initial
-        for (left_columns_2_index = 0; left_columns_2_index < 1280; left_columns_2_index = left_columns_2_index + 1)
-            left_columns_2_words[left_columns_2_index] = 2'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if (for_2_active[0] & for_2_front_ce & either) left_columns_2_words[index_2] <= chosen_3;
-        if (for_2_active[2] & for_2_ce) left_columns_2_read <= left_columns_2_words[index_4];
-    end
-
-    reg [11:0] right_columns_0_words [0:1279];
-    reg [11:0] right_columns_0_read;
-    assign right_columns_0_q = right_columns_0_read;
-    // synthesis translate_off
-    integer right_columns_0_index;
-    initial
-        for (right_columns_0_index = 0; right_columns_0_index < 1280; right_columns_0_index = right_columns_0_index + 1)
-            right_columns_0_words[right_columns_0_index] = 12'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if (for_2_active[0] & for_2_front_ce & either) right_columns_0_words[index_2] <= high_before;
-        if (for_2_active[2] & for_2_ce) right_columns_0_read <= right_columns_0_words[index_6];
-    end
-
-    reg right_columns_1_words [0:1279];
-    reg right_columns_1_read;
-    assign right_columns_1_q = right_columns_1_read;
-    // synthesis translate_off
-    integer right_columns_1_index;
-    initial
-        for (right_columns_1_index = 0; right_columns_1_index < 1280; right_columns_1_index = right_columns_1_index + 1)
-            right_columns_1_words[right_columns_1_index] = 1'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if (for_2_active[0] & for_2_front_ce & either) right_columns_1_words[index_2] <= shifted;
-        if (for_2_active[2] & for_2_ce) right_columns_1_read <= right_columns_1_words[index_6];
-    end
-
-    reg [1:0] right_columns_2_words [0:1279];
-    reg [1:0] right_columns_2_read;
-    assign right_columns_2_q = right_columns_2_read;
-    // synthesis translate_off
-    integer right_columns_2_index;
-    initial
-        for (right_columns_2_index = 0; right_columns_2_index < 1280; right_columns_2_index = right_columns_2_index + 1)
-            right_columns_2_words[right_columns_2_index] = 2'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if (for_2_active[0] & for_2_front_ce & either) right_columns_2_words[index_2] <= chosen_3;
-        if (for_2_active[2] & for_2_ce) right_columns_2_read <= right_columns_2_words[index_6];
-    end
 
     assign lines_first_row_V_address0 = value_20;
     assign lines_first_row_V_ce0 = for_2_active[0] & for_2_front_ce;
@@ -592,136 +546,52 @@ module polar (
     assign lines_contact_first_V_address0 = value_20;
     assign lines_contact_first_V_ce0 = for_2_active[0] & for_2_front_ce;
 
-    reg [11:0] states_3_words [0:127];
-    reg [11:0] states_3_read;
-    assign states_3_q = states_3_read;
-    // synthesis translate_off
-    integer states_3_index;
-    initial
-        for (states_3_index = 0; states_3_index < 128; states_3_index = states_3_index + 1)
-            states_3_words[states_3_index] = 12'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if (for_2_active[3] & for_2_ce & both_25_s3) states_3_words[value_20_s3] <= next;
-        if (for_2_active[0] & for_2_front_ce) states_3_read <= states_3_words[value_20];
-    end
-
-    reg [1:0] states_4_words [0:127];
-    reg [1:0] states_4_read;
-    assign states_4_q = states_4_read;
-    // synthesis translate_off
-    integer states_4_index;
-    initial
-        for (states_4_index = 0; states_4_index < 128; states_4_index = states_4_index + 1)
-            states_4_words[states_4_index] = 2'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if (for_2_active[4] & for_2_ce & both_25_s4) states_4_words[value_20_s4] <= next_6;
-        if (for_2_active[0] & for_2_front_ce) states_4_read <= states_4_words[value_20];
-    end
-
-    reg [11:0] states_5_words [0:127];
-    reg [11:0] states_5_read;
-    assign states_5_q = states_5_read;
-    // synthesis translate_off
-    integer states_5_index;
-    initial
-        for (states_5_index = 0; states_5_index < 128; states_5_index = states_5_index + 1)
-            states_5_words[states_5_index] = 12'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if (for_2_active[3] & for_2_ce & both_25_s3) states_5_words[value_20_s3] <= next_5;
-        if (for_2_active[0] & for_2_front_ce) states_5_read <= states_5_words[value_20];
-    end
-
-    reg [11:0] states_6_words [0:127];
-    reg [11:0] states_6_read;
-    assign states_6_q = states_6_read;
-    // synthesis translate_off
-    integer states_6_index;
-    initial
-        for (states_6_index = 0; states_6_index < 128; states_6_index = states_6_index + 1)
-            states_6_words[states_6_index] = 12'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if (for_2_active[3] & for_2_ce & both_25_s3) states_6_words[value_20_s3] <= next_4;
-        if (for_2_active[0] & for_2_front_ce) states_6_read <= states_6_words[value_20];
-    end
-
-    reg [11:0] states_7_words [0:127];
-    reg [11:0] states_7_read;
-    assign states_7_q = states_7_read;
-    // synthesis translate_off
-    integer states_7_index;
-    initial
-        for (states_7_index = 0; states_7_index < 128; states_7_index = states_7_index + 1)
-            states_7_words[states_7_index] = 12'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if (for_2_active[3] & for_2_ce & both_25_s3) states_7_words[value_20_s3] <= next_2;
-        if (for_2_active[0] & for_2_front_ce) states_7_read <= states_7_words[value_20];
-    end
-
-    reg [12:0] states_8_words [0:127];
-    reg [12:0] states_8_read;
-    assign states_8_q = states_8_read;
-    // synthesis translate_off
-    integer states_8_index;
-    initial
-        for (states_8_index = 0; states_8_index < 128; states_8_index = states_8_index + 1)
-            states_8_words[states_8_index] = 13'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if (for_2_active[3] & for_2_ce & both_25_s3) states_8_words[value_20_s3] <= next_3;
-        if (for_2_active[0] & for_2_front_ce) states_8_read <= states_8_words[value_20];
-    end
-
-    reg [11:0] states_1_words [0:127];
-    reg [11:0] states_1_read;
-    assign states_1_q = states_1_read;
-    // synthesis translate_off
-    integer states_1_index;
-    initial
-        for (states_1_index = 0; states_1_index < 128; states_1_index = states_1_index + 1)
-            states_1_words[states_1_index] = 12'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if (for_2_active[2] & for_2_ce & both_25_s2) states_1_words[value_20_s2] <= chosen_8;
-        if (for_2_active[0] & for_2_front_ce) states_1_read <= states_1_words[value_20];
-    end
-
-    reg [12:0] states_0_words [0:127];
-    reg [12:0] states_0_read;
-    assign states_0_q = states_0_read;
-    // synthesis translate_off
-    integer states_0_index;
-    initial
-        for (states_0_index = 0; states_0_index < 128; states_0_index = states_0_index + 1)
-            states_0_words[states_0_index] = 13'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if (for_2_active[2] & for_2_ce & both_25_s2) states_0_words[value_20_s2] <= sum_14;
-        if (for_2_active[0] & for_2_front_ce) states_0_read <= states_0_words[value_20];
-    end
-
     assign lines_first_error_V_address0 = value_20;
     assign lines_first_error_V_ce0 = for_2_active[0] & for_2_front_ce;
 
     assign lines_first_column_V_address0 = value_20;
     assign lines_first_column_V_ce0 = for_2_active[0] & for_2_front_ce;
 
-    reg states_2_words [0:127];
-    reg states_2_read;
-    assign states_2_q = states_2_read;
+    reg [13:0] left_columns_words [0:1279];
+    reg [13:0] left_columns_read;
+    assign left_columns_q = left_columns_read;
     // synthesis translate_off
-    integer states_2_index;
+    integer left_columns_index;
     initial
-        for (states_2_index = 0; states_2_index < 128; states_2_index = states_2_index + 1)
-            states_2_words[states_2_index] = 1'd0;
+        for (left_columns_index = 0; left_columns_index < 1280; left_columns_index = left_columns_index + 1)
+            left_columns_words[left_columns_index] = 14'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if (for_2_active[1] & for_2_ce & both_25) states_2_words[value_20_s1] <= test_15;
-        if (for_2_active[0] & for_2_front_ce) states_2_read <= states_2_words[value_20];
+        if (for_2_active[0] & for_2_front_ce & either) left_columns_words[index_2] <= left_columns_2_store_word;
+        if (for_2_active[2] & for_2_ce) left_columns_read <= left_columns_words[index_4];
+    end
+
+    reg [14:0] right_columns_words [0:1279];
+    reg [14:0] right_columns_read;
+    assign right_columns_q = right_columns_read;
+    // synthesis translate_off
+    integer right_columns_index;
+    initial
+        for (right_columns_index = 0; right_columns_index < 1280; right_columns_index = right_columns_index + 1)
+            right_columns_words[right_columns_index] = 15'd0;
+    // synthesis translate_on
+    always @(posedge clk) begin
+        if (for_2_active[0] & for_2_front_ce & either) right_columns_words[index_2] <= right_columns_2_store_word;
+        if (for_2_active[2] & for_2_ce) right_columns_read <= right_columns_words[index_6];
+    end
+
+    reg [88:0] states_words [0:127];
+    reg [88:0] states_read;
+    assign states_q = states_read;
+    // synthesis translate_off
+    integer states_index;
+    initial
+        for (states_index = 0; states_index < 128; states_index = states_index + 1)
+            states_words[states_index] = 89'd0;
+    // synthesis translate_on
+    always @(posedge clk) begin
+        if (for_2_active[4] & for_2_ce & both_25_s4) states_words[value_20_s4] <= states_8_store_word;
+        if (for_2_active[0] & for_2_front_ce) states_read <= states_words[value_20];
     end
     assign mask_read = (for_2_active[0] & for_2_front_ce & differs);
     assign contacts_write = (for_2_active[5] & for_2_ce & both_47) | ((state == S_FOR_3) & ~stall);
@@ -897,6 +767,18 @@ module polar (
             chosen_26_s2 <= chosen_26_s1;
             chosen_26_s3 <= chosen_26_s2;
             chosen_26_s4 <= chosen_26_s3;
+            states_8_store_0_s4 <= states_8_store_0;
+            states_8_store_2_s4 <= states_8_store_2;
+            states_8_store_3_s4 <= states_8_store_3;
+            states_8_store_4_s4 <= states_8_store_4;
+            states_8_store_5_s4 <= states_8_store_5;
+            states_8_store_6_s3 <= states_8_store_6;
+            states_8_store_6_s4 <= states_8_store_6_s3;
+            states_8_store_7_s3 <= states_8_store_7;
+            states_8_store_7_s4 <= states_8_store_7_s3;
+            states_8_store_8_s2 <= states_8_store_8;
+            states_8_store_8_s3 <= states_8_store_8_s2;
+            states_8_store_8_s4 <= states_8_store_8_s3;
         end
     end
 
