@@ -17,7 +17,7 @@ if [ ${#missing[@]} -gt 0 ]; then
     fi
     say "installing ${#missing[@]} Debian packages"
     export DEBIAN_FRONTEND=noninteractive
-    "${as_root[@]}" apt-get update -qq || fail "apt-get update failed; check the network and /etc/apt/sources.list."
+    "${as_root[@]}" apt-get update -qq || fail "apt-get update failed, and these packages are missing: ${missing[*]}; check the network and /etc/apt/sources.list."
     "${as_root[@]}" apt-get install -y -qq --no-install-recommends "${missing[@]}" >setup-apt.log 2>&1 ||
         { tail -n 20 setup-apt.log >&2; fail "apt-get could not install the packages above; Floorline needs Debian 12 (bookworm)."; }
     rm -f setup-apt.log
@@ -27,7 +27,7 @@ if ! cmp -s scripts/requirements.txt .venv/requirements.txt; then
     say "installing Python packages into .venv"
     /usr/bin/python3 -m venv .venv || fail "python3 -m venv failed; is the package python3-venv installed?"
     .venv/bin/pip install -q --disable-pip-version-check -r scripts/requirements.txt ||
-        fail "pip could not install scripts/requirements.txt; check the network to PyPI."
+        fail "pip could not install these packages: $(grep -v '^#' scripts/requirements.txt | paste -sd ' '); check the network to PyPI."
     cp scripts/requirements.txt .venv/requirements.txt
 fi
 say "setup complete"

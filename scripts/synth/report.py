@@ -1,4 +1,5 @@
-"""What a synthesis result says to a person: tables, plain module names, and the critical path in terms of the source."""
+"""What a synthesis result says to a person: tables, plain module names, the critical path in terms of the source, and the section for
+`floorline report --hardware`."""
 
 import collections
 import re
@@ -13,7 +14,7 @@ def module_name(name):
 
 
 def merge(rows):
-    """Rows of the same module added up, most LUTs first; modules without cells of their own are left out."""
+    """Rows of the same module added up, most LUTs first; modules without cells are left out."""
     merged = collections.defaultdict(lambda: dict.fromkeys(("instances", *COLUMNS), 0))
     for row in rows:
         for key in ("instances", *COLUMNS):
@@ -39,6 +40,12 @@ def plain_name(name):
     return re.sub(r"(?:_(?:TRELLIS_FF|LUT4|PFUMX|L6MUX21|CCU2C|DP16KD|MULT18X18D)_.*|\.\d+\.\d+)$", "", name)
 
 
+def source_of(name, sources):
+    """The C++ line of a name in the Verilog, '' where there is none. Registers of a pipeline stage are NAME_s1, NAME_s2.. of a wire NAME."""
+    local = name.split(".")[-1]
+    return sources.get(local) or sources.get(re.sub(r"_s\d+$", "", local), "")
+
+
 def critical_path(routed, files):
     """The slowest path of a nextpnr report, from where it starts to where it ends: [{ns, at, source}]; `at` is the name in the
     Verilog, `source` its C++ line or ''. ns: time from the clock edge until the signal has left `at`."""
@@ -50,24 +57,33 @@ def critical_path(routed, files):
         elapsed += step["delay"]
         name = plain_name(step["from"]["cell"])
         if not steps or steps[-1]["at"] != name:
-            steps.append({"at": name, "source": sources.get(name.split(".")[-1], "")})
+            steps.append({"at": name, "source": source_of(name, sources)})
         steps[-1]["ns"] = round(elapsed, 2)
     return steps
 
 
 def table(header, rows):
+    """Columns of text; the first is flushed left, the others right."""
     cells = [[str(cell) for cell in row] for row in [header, *rows]]
     widths = [max(len(row[i]) for row in cells) for i in range(len(header))]
     return "\n".join("  ".join(cell.ljust(width) if i == 0 else cell.rjust(width) for i, (cell, width) in enumerate(zip(row, widths))) for row in cells)
 
 
-def text(results):
-    parts = []
-    for result in results:
-        rows = [[row["module"], row["instances"], *(row[key] for key in COLUMNS)] for row in result["modules"]]
-        rows.append(["sum, flattened", "", *(result["total"][key] for key in COLUMNS)])
-        parts.append(f"{result['design']} on {result['target']}\n" + table(["module", "instances", "LUT", "FF", "BRAM", "DSP"], rows))
-        if "fmax_mhz" in result:
-            parts.append(f"Fmax {result['fmax_mhz']} MHz, by seed: {', '.join(map(str, result['fmax_by_seed']))}")
-            parts.append(table(["critical path", "ns", "C++"], [[step["at"], step["ns"], step["source"]] for step in result["critical_path"]]))
-    return "\n\n".join(parts)
+def sections(result):
+    """The tables of a result as sections of docs/report.md: [{title, note, columns, rows}]."""
+    where = f"{result['design']} on {result['target']}"
+    rows = [[row["module"], row["instances"], *(row[key] for key in COLUMNS)] for row in result["parts"]]
+    rows.append(["all, flattened", "", *(result["total"][key] for key in COLUMNS)])
+    found = [{"title": f"Resources: {where}", "note": "Yosys, before placement; a part has all that is in it.",
+              "columns": ["part", "instances", "LUT", "FF", "BRAM", "DSP"], "rows": rows}]
+    if result["routes"]:
+        mhz = [route["mhz"] for route in result["routes"]]
+        best = max(result["routes"], key=lambda route: route["mhz"])
+        found.append({"title": f"Critical path: {where}",
+                      "note": f"{best['mhz']} MHz, the best of {len(mhz)} placements ({min(mhz)} to {max(mhz)} MHz).",
+                      "columns": ["at", "ns", "C++"], "rows": [[step["at"], step["ns"], step["source"]] for step in best["path"]]})
+    return found
+
+
+def text(sections_):
+    return "\n\n".join(f"{section['title']}\n{section['note']}\n{table(section['columns'], section['rows'])}" for section in sections_)

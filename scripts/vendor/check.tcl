@@ -61,8 +61,24 @@ proc command_files {name earlier {with_value {}}} {
     }]
 }
 
+# need_value NAME ARGUMENTS OPTION PATTERN : the option's value, or with {} the first argument, must match the regular expression.
+proc need_value {name arguments option pattern} {
+    set at [expr {$option eq {} ? 0 : [lsearch -exact $arguments $option] + 1}]
+    if {$option ne {} && $at == 0} { reject "$name lacks $option" }
+    if {![regexp "^($pattern)\$" [lindex $arguments $at]]} { reject "$name is given '[lindex $arguments $at]', which is not $pattern" }
+}
+
+# checked NAME OPTION PATTERN : from now on the mock NAME also checks this value.
+proc checked {name option pattern} {
+    rename ::$name ::unchecked_$name
+    proc ::$name {args} [string map [list NAME $name OPTION $option PATTERN $pattern] {
+        need_value {NAME} $args {OPTION} {PATTERN}
+        unchecked_NAME {*}$args
+    }]
+}
+
 # Vivado HLS and Vitis HLS.
-proc hls_commands {} {
+proc hls_commands {formats part} {
     command open_project {} {} 1
     command set_top open_project {} 1
     command_files add_files {open_project set_top} {-cflags}
@@ -73,9 +89,35 @@ proc hls_commands {} {
     command csynth_design {create_clock csim_design} {} 0
     command cosim_design csynth_design {-rtl} 0
     command export_design csynth_design {-format} 0
+    checked set_part {} $part
+    checked create_clock -period {[0-9]+(\.[0-9]+)?}
+    checked cosim_design -rtl {verilog|vhdl}
+    checked export_design -format $formats
     rename ::exit ::leave
     proc ::exit {{code 0}} { called exit; if {$code} { leave $code } }
     return {csim_design csynth_design cosim_design export_design}
+}
+
+# Vivado HLS alone: structs are packed by directive, and each array that hls/ aggregates must have one.
+proc vivado_hls_commands {} {
+    variable ::packed {}
+    proc ::set_directive_data_pack {function variable} {
+        need set_directive_data_pack open_solution
+        if {[lsearch -exact $::calls csynth_design] >= 0} { reject "set_directive_data_pack comes after csynth_design" }
+        lappend ::packed [list $function $variable]
+    }
+    return [hls_commands {sysgen|ip_catalog|pcore|syn_dcp} {xc6v[a-z]+[0-9]+tff[0-9]+-[123]}]
+}
+
+proc need_packed {} {
+    foreach header [glob -directory $::root hls/*.h] {
+        set file [open $header]
+        foreach {- variable} [regexp -all -inline {#pragma HLS AGGREGATE variable = (\w+)} [read $file]] {
+            set array [list [file rootname [file tail $header]] $variable]
+            if {[lsearch -exact $::packed $array] < 0} { reject "it never packs the array '$variable' of $header" }
+        }
+        close $file
+    }
 }
 
 # ISE.
@@ -124,7 +166,8 @@ proc vivado_ip_commands {} {
 }
 
 switch [file tail $script] {
-    vivado_hls.tcl - vitis_hls.tcl { set must [hls_commands] }
+    vivado_hls.tcl { set must [vivado_hls_commands] }
+    vitis_hls.tcl { set must [hls_commands {ip_catalog|xo|syn_dcp|sysgen} {xc[a-z0-9]+-[0-9a-z]+}] }
     ise.tcl { set must [ise_commands] }
     vivado.tcl { set must [vivado_commands] }
     vivado_ip.tcl { set must [vivado_ip_commands] }
@@ -134,3 +177,4 @@ source $script
 foreach command $must {
     if {[lsearch -exact $calls $command] < 0} { reject "it never calls $command" }
 }
+if {[info exists packed]} { need_packed }

@@ -6,7 +6,8 @@ set root [file normalize [file join [file dirname [info script]] .. ..]]
 set kernel_top floorline_accelerator
 proc kernel_sources {} { global root; return [list [file join $root hls accelerator.cpp]] }
 proc kernel_testbench {} { global root; return [file join $root scripts vendor accelerator_tb.cpp] }
-proc kernel_flags {} { global root; return "-std=c++11 -I[file join $root hls]" }
+# c++0x is what GCC 4.6, which Vivado HLS brings for its C simulation, calls C++11; later compilers know it too.
+proc kernel_flags {} { global root; return "-std=c++0x -I[file join $root hls]" }
 
 # The Verilog of floorline_top: hand-written, library, generated.
 proc verilog_sources {} {

@@ -1,0 +1,94 @@
+"""The accelerator at other maxima than VGA: its top is hls/accelerator.cpp with another configuration, compiled by floorline-hlsc."""
+
+import subprocess
+
+import yaml
+
+import flow
+import report
+
+SIZES = ((320, 240), (640, 480), (1280, 720), (1920, 1080))
+LINES = 128
+COMPILER = flow.ROOT / "build/release/bin/floorline-hlsc"
+VGA = "floorline::VgaConfig"
+
+
+def margin(height):
+    """Rows of the frame ring beyond a frame's, in VGA's proportion of 32 to 480."""
+    return height // 15
+
+
+def generate(width, height):
+    """Verilog of the accelerator for frames up to this size; returns its folder, relative to the root."""
+    folder = flow.ROOT / f"build/synth/sizes/{width}x{height}"
+    folder.mkdir(parents=True, exist_ok=True)
+    if not COMPILER.exists():
+        flow.fail("the compiler is not built; run 'cmake --preset release' and 'ninja -C build/release floorline-hlsc'.")
+    source = (flow.ROOT / "hls/accelerator.cpp").read_text()
+    if VGA not in source:
+        flow.fail(f"hls/accelerator.cpp no longer names {VGA}; scripts/synth/sweep.py puts another size in its place.")
+    config = f"floorline::AcceleratorConfig<{width}, {height}, {margin(height)}, {LINES}>"
+    top = folder / "accelerator.cpp"
+    top.write_text(source.replace(VGA, config))
+    done = subprocess.run([COMPILER, "compile", top, "--top", "floorline_accelerator", "-I", flow.ROOT / "hls", "--std", "c++11",
+                           "--target", "xc6v", "-o", folder / "rtl"], cwd=flow.ROOT, capture_output=True, text=True)
+    if done.returncode:
+        flow.fail(f"the compiler refuses {width}x{height}: {done.stderr.strip()}")
+    return folder.relative_to(flow.ROOT) / "rtl"
+
+
+def name(width, height):
+    """What the design of a size is called; VGA's is the one that the project ships."""
+    return "top" if (width, height) == (640, 480) else f"top_{width}x{height}"
+
+
+def design(width, height, target):
+    if name(width, height) == "top":
+        return flow.Design("top", target)
+    entry = dict(flow.entries()["top"], parameters={"MAX_WIDTH": width, "MAX_HEIGHT": height})
+    entry["sources"] = ["rtl/*.v", "rtl/lib/*.v", f"{generate(width, height)}/*.v"]
+    return flow.Design(name(width, height), target, entry)
+
+
+def devices():
+    return yaml.safe_load((flow.HERE / "devices.yaml").read_text())
+
+
+def holds(device, total):
+    return all(total[key] <= device[key] for key in ("lut", "bram", "dsp"))
+
+
+def measure(options):
+    """[(width, height, result on xc6v, result on ecp5)]; placed where the LFE5U-85F holds it."""
+    largest = next(device for device in devices() if device["name"] == "LFE5U-85F")
+    rows = []
+    for width, height in SIZES:
+        xilinx = flow.evaluate(design(width, height, "xc6v"), record=options.record)
+        lattice = flow.evaluate(design(width, height, "ecp5"), record=options.record)
+        if holds(largest, lattice["total"]):
+            lattice = flow.evaluate(design(width, height, "ecp5"), options.seeds, options.record, options.jobs)
+        rows.append((width, height, xilinx, lattice))
+    return rows
+
+
+def smallest(results):
+    """The smallest device of each family that holds a design, as text."""
+    found = {}
+    for device in devices():
+        if device["family"] not in found and results[device["flow"]] and holds(device, results[device["flow"]]["total"]):
+            found[device["family"]] = device["name"]
+    return ", ".join(found.values()) or "none of scripts/synth/devices.yaml"
+
+
+def sections(rows):
+    """A section of docs/report.md, which tables.py also puts into docs/synthesis.md."""
+    table = []
+    for width, height, xilinx, lattice in rows:
+        route = flow.best_route(lattice) if lattice else None
+        table.append([f"{width}x{height}", *(xilinx["total"][key] for key in report.COLUMNS),
+                      *(lattice["total"][key] if lattice else "-" for key in report.COLUMNS), route["mhz"] if route else "-",
+                      smallest({"xc6v": xilinx, "ecp5": lattice})])
+    return [{"title": "Resources by frame size",
+             "note": "Yosys for Virtex-6 (7-series has the same blocks) and ECP5; clock: LFE5U-85F, speed grade 6, where it holds the design.",
+             "columns": ["largest frame", "LUT", "FF", "RAMB36", "DSP48", "ECP5 LUT", "FF", "18 Kbit", "DSP", "MHz", "smallest FPGA of each family"],
+             "rows": table}]
