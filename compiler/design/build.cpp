@@ -37,6 +37,7 @@ Process ProcessBuilder::build() {
   }
   for (BasicBlock* block : order) build_block(*block);
   for (BasicBlock* block : order) finish_block(*block);
+  collect_loops();
   return std::move(process_);
 }
 
@@ -103,6 +104,35 @@ void ProcessBuilder::read_loop(BasicBlock& block) {
   process_.blocks[current_block_].is_loop = true;
   if (directive) process_.blocks[current_block_].wanted_ii = directive->integer("ii", 1);
   if (DebugLoc start = loop->getStartLoc()) process_.blocks[current_block_].location = location_of(start);
+}
+
+void ProcessBuilder::collect_loops() {
+  std::map<const Loop*, int> indices;
+  for (Loop* loop : loops_.getLoopsInPreorder()) {
+    SourceLoop made = described(*loop);
+    auto parent = indices.find(loop->getParentLoop());
+    if (parent != indices.end()) made.parent = parent->second;
+    indices[loop] = process_.loops.size();
+    process_.loops.push_back(made);
+  }
+}
+
+/// The number of iterations is counted where it is constant, else taken from LOOP_TRIPCOUNT.
+SourceLoop ProcessBuilder::described(const Loop& loop) {
+  SourceLoop made;
+  made.header = block_ids_[loop.getHeader()];
+  made.name = process_.blocks[made.header].name;
+  DebugLoc start = loop.getStartLoc();
+  made.location = start ? location_of(start) : process_.blocks[made.header].location;
+  for (BasicBlock* block : loop.blocks()) made.blocks.push_back(block_ids_[block]);
+  std::optional<Directive> told = loop_directive(loop, "LOOP_TRIPCOUNT");
+  made.least_trips = made.most_trips = evolution_.getSmallConstantTripCount(&loop);
+  if (!made.most_trips && told) {
+    made.least_trips = told->integer("min", 0);
+    made.most_trips = told->integer("max", 0);
+  }
+  if (!made.most_trips) made.most_trips = evolution_.getSmallConstantMaxTripCount(&loop);
+  return made;
 }
 
 void ProcessBuilder::finish_block(BasicBlock& block) {

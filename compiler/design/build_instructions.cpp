@@ -64,7 +64,9 @@ ValueId ProcessBuilder::translated(Instruction& instruction) {
   operation.type_width = instruction.getType()->getIntegerBitWidth();
   if (isa<PHINode>(instruction)) {
     operation.kind = OpKind::kPhi;
-    return add(operation, instruction, name_of(instruction));
+    ValueId phi = add(operation, instruction, name_of(instruction));
+    if (!process_[phi].location.line) process_[phi].location = process_.blocks[current_block_].location;
+    return phi;
   }
   if (isa<FreezeInst>(instruction)) return value_of(instruction.getOperand(0));
   for (Value* operand : instruction.operands()) operation.operands.push_back(value_of(operand));

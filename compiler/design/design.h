@@ -152,12 +152,23 @@ struct Block {
   SourceLocation location;
 };
 
+/// A loop of the source that is still one, pipelined or not.
+struct SourceLoop {
+  std::string name;  ///< Of its first block.
+  SourceLocation location;
+  int header = 0;                            ///< Block.
+  std::vector<int> blocks;                   ///< Those of inner loops among them.
+  int parent = -1;                           ///< The loop around it.
+  uint64_t least_trips = 0, most_trips = 0;  ///< Iterations of one run, as far as known; most 0: not known.
+};
+
 struct Process {
   std::string name;  ///< Module name.
   std::string source_name;
   SourceLocation location;
   std::vector<Operation> operations;
-  std::vector<Block> blocks;  ///< Block 0 is the entry.
+  std::vector<Block> blocks;      ///< Block 0 is the entry.
+  std::vector<SourceLoop> loops;  ///< Outer ones before their inner ones.
   std::vector<Memory> memories;
   std::vector<Stream> streams;
   std::vector<ScalarPort> scalars;

@@ -73,6 +73,8 @@ class ProcessBuilder {
   static std::string block_name(const llvm::BasicBlock& block);
   void copy_inout_ports();
   void read_loop(llvm::BasicBlock& block);
+  void collect_loops();
+  SourceLoop described(const llvm::Loop& loop);
   void finish_block(llvm::BasicBlock& block);
   Terminator terminator_of(llvm::Instruction& instruction);
 

@@ -14,13 +14,19 @@
 namespace hlsc::differential {
 namespace {
 
+constexpr int kPatience = 20;  ///< Seconds of waiting for a second of work: the machine has others to serve.
+
+ChildResult outcome_of(int status) {
+  if (WIFSIGNALED(status))
+    return {WTERMSIG(status) == SIGXCPU ? ChildResult::kTimeout : ChildResult::kSignal, WTERMSIG(status)};
+  bool is_late = WEXITSTATUS(status) == 128 + SIGXCPU;  // As a shell tells it.
+  return {is_late ? ChildResult::kTimeout : ChildResult::kExit, WEXITSTATUS(status)};
+}
+
 ChildResult wait_for(pid_t child, int seconds) {
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(seconds);
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(seconds) * kPatience;
   for (int status = 0;;) {
-    if (waitpid(child, &status, WNOHANG) == child) {
-      if (WIFSIGNALED(status)) return {ChildResult::kSignal, WTERMSIG(status)};
-      return {ChildResult::kExit, WEXITSTATUS(status)};
-    }
+    if (waitpid(child, &status, WNOHANG) == child) return outcome_of(status);
     if (std::chrono::steady_clock::now() > end) {
       kill(-child, SIGKILL);
       waitpid(child, &status, 0);
@@ -40,6 +46,10 @@ ChildResult run_child(const std::function<int()>& work, int seconds) {
     setpgid(0, 0);
     const rlimit no_core{0, 0};
     setrlimit(RLIMIT_CORE, &no_core);
+    rlimit time{};
+    getrlimit(RLIMIT_CPU, &time);
+    time.rlim_cur = seconds;
+    setrlimit(RLIMIT_CPU, &time);
     int code = work();
     std::fflush(nullptr);
     _exit(code);

@@ -20,10 +20,10 @@ namespace {
 class Compilation {
  public:
   Compilation(const CompileOptions& options, CompileResult& result)
-      : options_(options), result_(result), program_(parse_program(options.frontend)) {
-    schedule_options_.target = target_named(options.target);
-    schedule_options_.period = options.period;
-  }
+      : options_(options),
+        result_(result),
+        program_(parse_program(options.frontend)),
+        schedule_options_(schedule_options(options)) {}
 
   void run() {
     MiddleResult middle = run_middle(program_, result_.diagnostics);
@@ -92,6 +92,13 @@ class Compilation {
 };
 
 }  // namespace
+
+ScheduleOptions schedule_options(const CompileOptions& options) {
+  ScheduleOptions made;
+  made.target = target_named(options.target);
+  made.period = options.period;
+  return made;
+}
 
 CompileResult compile(const CompileOptions& options) {
   CompileResult result;

@@ -15,7 +15,7 @@ namespace hlsc {
 struct CompileOptions {
   FrontendOptions frontend;
   std::string target = "xc7";
-  double period = 10;  ///< ns
+  double period = 10;   ///< ns
   bool strict = false;  ///< The first warning is an error.
 };
 
@@ -38,6 +38,9 @@ struct CompileResult {
   TopInterface interface;
   Diagnostics diagnostics;
 };
+
+/// Throws CompileError for an unknown target.
+ScheduleOptions schedule_options(const CompileOptions& options);
 
 /// Throws CompileError.
 CompileResult compile(const CompileOptions& options);

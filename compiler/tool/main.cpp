@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "cosim/cosim.h"
+#include "report/write.h"
 #include "tool/compile.h"
 
 namespace {
@@ -19,6 +20,18 @@ void write_whole(const std::filesystem::path& path, const std::string& text) {
       throw std::runtime_error("error: cannot write " + path.string() + "; check the directory");
   }
   std::filesystem::rename(part, path);
+}
+
+void write_files(const hlsc::CompileResult& result, const std::filesystem::path& directory) {
+  std::filesystem::create_directories(directory);
+  for (const hlsc::GeneratedFile& file : result.files) write_whole(directory / file.name, file.text);
+}
+
+void write_report(const hlsc::Report& report, const std::filesystem::path& directory) {
+  std::filesystem::create_directories(directory);
+  write_whole(directory / "report.txt", hlsc::report_text(report));
+  write_whole(directory / "report.json", hlsc::report_json(report));
+  write_whole(directory / "report.html", hlsc::report_page(report));
 }
 
 void add_compile_options(CLI::App& command, hlsc::CompileOptions& options) {
@@ -46,6 +59,9 @@ int main(int argc, char** argv) {
   CLI::App* compile = app.add_subcommand("compile", "compile a top function to Verilog");
   add_compile_options(*compile, options);
   compile->add_option("-o,--output", output_dir, "directory for the Verilog files")->capture_default_str();
+  std::string report_dir;
+  compile->add_option("--report", report_dir,
+                      "directory for report.txt, .json and .html; default: that of the Verilog files");
   CLI::App* cosim = app.add_subcommand("cosim", "run a test bench against the compiled Verilog");
   add_compile_options(*cosim, options);
   hlsc::CosimOptions cosim_options;
@@ -60,9 +76,9 @@ int main(int argc, char** argv) {
     hlsc::CompileResult result = hlsc::compile(options);
     for (const std::string& warning : result.diagnostics.warnings) std::cerr << warning << "\n";
     if (*cosim) return hlsc::cosimulate(result, options, cosim_options);
-    std::filesystem::create_directories(output_dir);
-    for (const hlsc::GeneratedFile& file : result.files)
-      write_whole(std::filesystem::path(output_dir) / file.name, file.text);
+    write_files(result, output_dir);
+    write_report(hlsc::report_of(result, hlsc::schedule_options(options)),
+                 report_dir.empty() ? output_dir : report_dir);
   } catch (const std::exception& failure) {
     std::cerr << failure.what() << "\n";
     return 1;
