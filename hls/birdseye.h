@@ -33,7 +33,7 @@ inline void birdseye(hls::stream<Contact>& contacts, hls::stream<FloorPoint>& po
   ap_uint<2> row = DENOMINATOR;
   Contact contact = {0, 0, 0, 0, 0, 0};
   Reciprocal denominator = {0, 0, false};
-  bool on_floor = false;
+  ap_uint<1> on_floor = 0;
   ap_int<24> x = 0;
   bool last = false;
 ROWS:
@@ -50,12 +50,15 @@ ROWS:
     // bits.
     const ap_int<43> numerator = (sum + 8) >> 4;
     const ap_int<32> metres = quotient<11>(ap_int<25>(numerator), denominator);
-    if (row == DENOMINATOR) {
-      denominator = reciprocal(ap_int<32>(sum));
-      on_floor = denominator.valid && fits<32>(sum);
-    } else {
-      on_floor = on_floor && fits<25>(numerator) && fits<24>(metres);
-    }
+    const Reciprocal found = reciprocal(ap_int<32>(sum));
+    if (row == DENOMINATOR) denominator = found;
+    // & without branches: a branch on on_floor would make the next denominator wait for it.
+    const ap_uint<1> divides = found.valid;
+    const ap_uint<1> sum_fits = fits<32>(sum);
+    const ap_uint<1> numerator_fits = fits<25>(numerator);
+    const ap_uint<1> metres_fit = fits<24>(metres);
+    on_floor = row == DENOMINATOR ? ap_uint<1>(divides & sum_fits)
+                                  : ap_uint<1>(on_floor & numerator_fits & metres_fit);
 
     if (row == LEFT && contact.end) {
       const FloorPoint end = {0, 0, 0, 0, 0, 0, 0, 1};

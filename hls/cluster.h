@@ -78,10 +78,19 @@ template <int MAX_LINES>
 void cluster(hls::stream<FloorPoint>& points, hls::stream<Obstacle>& obstacles, ap_uint<9> line_count,
              ap_uint<24> gap, LineIndex min_lines) {
   using namespace clustering;
-  static Candidate candidates[MAX_LINES];  // Without a point between frames.
+  static Candidate candidates[MAX_LINES];
 #pragma HLS AGGREGATE variable = candidates
   const ap_uint<17> coarse_gap = gap >> 7;
   const SquaredMetres squared_gap = coarse_gap * coarse_gap;
+
+  // At the start, since a reset in mid-frame leaves the points of that frame behind.
+CLEAR:
+  for (ap_uint<9> line = 0; line < line_count; ++line) {
+#pragma HLS PIPELINE II = 1
+#pragma HLS LOOP_TRIPCOUNT min = 128 max = 128
+    const Candidate none = {0, 0, 0, 0, 0, 0, 0, 0};
+    candidates[line] = none;
+  }
 
   FloorPoint point = points.read();
 SELECT:
@@ -125,14 +134,12 @@ SCAN:
 REPORT:
   for (ap_uint<9> line = 0; line < line_count; ++line) {
 #pragma HLS LOOP_TRIPCOUNT min = 128 max = 128
-    Candidate found = candidates[line];
+    const Candidate found = candidates[line];
     if (found.lines != 0 && found.lines >= min_lines) {
       const Obstacle obstacle = {LineIndex(line), found.last_line, found.u,       found.v, found.rows,
                                  found.x,         found.y,         found.clipped, 0};
       obstacles.write(obstacle);
     }
-    found.lines = 0;
-    candidates[line] = found;
   }
   const Obstacle end = {0, 0, 0, 0, 0, 0, 0, 0, 1};
   obstacles.write(end);

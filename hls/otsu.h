@@ -11,7 +11,8 @@
 /// a single grey level has no split: threshold 0.
 ///
 /// II = 1. A frame takes width * height + 512 + about 75 cycles a contender (mostly one or two) + 40. The
-/// histogram is cleared while it is read. Nine DSPs.
+/// histogram is cleared while it is read; the first frame after a reset waits 256 cycles until it is cleared.
+/// Nine DSPs.
 #ifndef FLOORLINE_HLS_OTSU_H
 #define FLOORLINE_HLS_OTSU_H
 
@@ -235,6 +236,17 @@ void otsu(hls::stream<Pixel>& in, hls::stream<Pixel>& out, hls::stream<Pixel>& t
   static Pixel threshold = 0;
   thresholds.write(threshold);
 
+  // A reset in mid-frame leaves counts of that frame behind.
+  static ap_uint<1> cleared = 0;
+  if (!cleared) {
+  CLEAR:
+    for (int level = 0; level < 256; ++level) {
+#pragma HLS PIPELINE II = 1
+      histogram[level] = 0;
+    }
+  }
+  cleared = 0;
+
   // The bins of the last two pixels, newest first: their counts may still be on the way into the RAM. A
   // cleared histogram holds 0 for pixel 0, so that is a true start.
   Pixel pixel1 = 0, pixel2 = 0;
@@ -311,6 +323,7 @@ SCORES:
     }
   }
   threshold = best_contender<W>(contenders, contender_count);
+  cleared = 1;
 }
 
 }  // namespace floorline

@@ -6,10 +6,15 @@
 // One clock, synchronous active-low reset (AXI's). Video: RGB with G in 7:0, B in 15:8, R in 23:16; grey in 7:0 when the register
 // GREY is 1. Results: one packet a frame, elements as in hls/types.h with their fields packed from bit 0; TLAST on the frame's
 // end element, TUSER there: the frame was malformed. Registers: docs/registers.md. Malformed input: rtl/frame_guard.v.
+// The core is floorline_accelerator, or the one that FLOORLINE_CORE names, whose maxima the parameters must then be.
 // After a malformed frame that was to become the reference, no pixel is valid until a good frame has replaced it, so that a
 // broken reference gives no false obstacle.
 
 `default_nettype none
+
+`ifndef FLOORLINE_CORE
+`define FLOORLINE_CORE floorline_accelerator
+`endif
 
 module floorline_top #(
     parameter MAX_WIDTH  = 640,  // as generated; here for LIMITS and for refusing what the core cannot hold
@@ -311,7 +316,7 @@ module floorline_top #(
     wire                  unused_done, unused_idle;
     wire [31:0]           valid_map = {32{!reference_lost_reg}};  // Z = 0: no pixel of the reference is valid
 
-    floorline_accelerator core (
+    `FLOORLINE_CORE core (
         .ap_clk                                  (aclk),
         .ap_rst_n                                (!rst),
         .ap_start                                (core_start_reg),

@@ -1,22 +1,11 @@
 #!/usr/bin/env bash
-# The Verilog of the whole accelerator against the C simulation: the rendered default sequence under every kind of stalls, then the record run
-# (faults, soak, cycles, speed on one core). Usage: cosim.sh BUILD_DIR
-set -euo pipefail
-floorline=$1/bin/floorline
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
+# The Verilog of the whole accelerator against the C simulation: sequences, pictures, faults and soak (minutes, so recorded), then cycles and
+# the speed of the model on one core. Usage: cosim.sh BUILD_DIR
+source "$(dirname "$0")/../common.sh"
+source scripts/records.sh
 
-"$floorline" render scenes/demo.yaml --output "$work/demo" >/dev/null
-for stalls in none light heavy; do
-    # Exit code 1 only says that a bit differs, which the figure tells too.
-    "$floorline" cosim "$work/demo" --stalls "$stalls" --waves "$work/cosim.fst" --json "$work/$stalls.json" >/dev/null || [ $? = 1 ]
-    python3 - "$work/$stalls.json" <<'PYTHON'
-import json, sys
-run = json.load(open(sys.argv[1]))
-bits = sum(run["differing_bits"].values())
-print(f"cosim.bit_differences.demo_{run['stalls']}\t{bits}\t<= 0\t{'ok' if bits == 0 else 'short'}")
-if run["stalls"] == "none":
-    print(f"cosim.frames.demo\t{run['frames']}\t>= 30\t{'ok' if run['frames'] >= 30 else 'short'}")
-PYTHON
-done
-taskset -c 0 "$1/bin/cosim_record"
+rtl=(hls rtl tb/cosim tb/csim host)
+recorded cosim "${rtl[@]}" apps/drive.cpp scenes/demo.yaml scripts/cosim_record.sh -- ./scripts/cosim_record.sh "$1"
+recorded mutants "${rtl[@]}" scripts/mutate.py scripts/mutants.sh -- ./scripts/mutants.sh "$1"
+"$1/bin/cosim_record" cycles
+taskset -c 0 "$1/bin/cosim_record" speed

@@ -90,6 +90,8 @@ class PacketSink {
 
   void drive() { ready_ = !stalls_.stall(); }
   bool ready() const { return ready_; }
+  /// Whether a beat was offered and not taken yet.
+  bool waiting() const { return waiting_; }
 
   /// The core's side at the clock edge. Whether a beat moved.
   bool sample(bool valid, const ResultBeat& beat, bool in_reset, std::uint64_t cycle) {

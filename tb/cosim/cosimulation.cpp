@@ -32,7 +32,7 @@ class Session {
   Session(const Job& job, std::optional<Waves> waves)
       : job_(job),
         waves_(std::move(waves)),
-        top_(job.stalls, job.seed),
+        top_(configuration_for(job.largest_frame), job.stalls, job.seed),
         csim_(job.largest_frame),
         driver_(top_) {
     driver_.enable(true);
@@ -134,6 +134,7 @@ class Session {
 };
 
 void save_waves(const Job& job, int frame) {
+  if (job.waves.empty()) return;
   Session replay(job, Waves{frame, job.waves});
   try {
     replay.run(std::min(frame + 1, job.frame_count));

@@ -50,7 +50,8 @@ struct Job {
       frame;  ///< Asked for in order; from 0 again when a failing frame is replayed.
   Stalls stalls;
   std::uint64_t seed;
-  std::filesystem::path waves;        ///< Where the waves (FST) of the first failing frame go.
+  std::filesystem::path
+      waves;  ///< Where the waves (FST) of the first failing frame go; empty: none are saved.
   std::function<void(int)> progress;  ///< Called with the number of frames that are done.
 };
 

@@ -66,7 +66,7 @@ const std::vector<cv::Size>& measured_sizes() {
 
 CycleRow measure_cycles(cv::Size size) {
   constexpr std::uint32_t kFrames = 4;  // The third is steady: frames before and after it.
-  Top top(Stalls::none, 0);
+  Top top(configuration_for(size), Stalls::none, 0);
   Driver driver(top);
   driver.prepare(parameters(size), lines(size));
   driver.enable(true);

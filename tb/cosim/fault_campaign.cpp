@@ -38,7 +38,8 @@ const char* name(Fault fault) {
   return kNames[static_cast<int>(fault)];
 }
 
-FaultCampaign::FaultCampaign(Stalls stalls, std::uint64_t seed) : random_(seed), top_(stalls, seed) {
+FaultCampaign::FaultCampaign(Stalls stalls, std::uint64_t seed)
+    : random_(seed), top_(Configuration::vga, stalls, seed) {
   start_anew();
 }
 

@@ -1,10 +1,16 @@
-/// The record run: what the tests do in small, long enough to be told. Prints figures:
+/// The record runs: what the tests do in small, long enough to be told. Usage: cosim_record
+/// cycles|speed|faults|soak, or cosim_record pictures FOLDER... Prints figures:
 /// name<TAB>value<TAB>bound<TAB>ok|short.
 #include <cstdio>
 #include <ctime>
+#include <filesystem>
 #include <functional>
+#include <map>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
+#include "host/image_file.h"
 #include "tb/cosim/cosimulation.h"
 #include "tb/cosim/cycle_table.h"
 #include "tb/cosim/fault_campaign.h"
@@ -66,6 +72,36 @@ void print_soak() {
   print("soak_bit_differences", static_cast<double>(result.differences()), false, 0);
 }
 
+const char* name(Stalls stalls) {
+  return stalls == Stalls::none ? "none" : stalls == Stalls::light ? "light" : "heavy";
+}
+
+/// Every picture of these folders twice, at most VGA of it, under random parameters.
+void print_pictures(const std::vector<std::string>& folders) {
+  constexpr std::uint64_t kSeed = 31;
+  std::vector<cv::Mat> pictures;
+  for (const std::string& folder : folders) {
+    for (const std::filesystem::path& file : image_files(folder)) {
+      const cv::Mat picture = read_image(file);
+      pictures.push_back(picture(cv::Rect({}, picture.size()) & cv::Rect(0, 0, 640, 480)).clone());
+    }
+  }
+  for (const Stalls stalls : {Stalls::none, Stalls::light, Stalls::heavy}) {
+    RandomFrames random(kSeed);
+    std::vector<LineSetup> lines;
+    const auto frame = [&](int index) {
+      const cv::Mat& picture = pictures[index / 2];
+      if (index % 2 == 0) lines = random.lines(picture.size());
+      return FrameInput{picture, random.parameters(picture.size()), lines};
+    };
+    const int count = 2 * static_cast<int>(pictures.size());
+    const Result result = cosimulate({{640, 480}, count, frame, stalls, kSeed, {}, {}});
+    print((std::string("bit_differences.unit_") + name(stalls)).c_str(),
+          static_cast<double>(result.differences()), false, 0);
+  }
+  print("pictures", static_cast<double>(pictures.size()), true, 1);
+}
+
 void print_cycles() {
   const CycleRow vga = measure_cycles({640, 480});
   print("cycles_per_frame", vga.frame_cycles, false, vga.size.area() + 1000);
@@ -77,7 +113,7 @@ void print_speed() {
   constexpr int kFrames = 8;
   const cv::Size size(640, 480);
   RandomFrames random(4);
-  Top top(Stalls::none, 0);
+  Top top(Configuration::vga, Stalls::none, 0);
   Driver driver(top);
   FrameParameters parameters = random.parameters(size);
   parameters.width = size.width;
@@ -95,13 +131,21 @@ void print_speed() {
 }  // namespace
 }  // namespace floorline::cosim
 
-int main() {
+int main(int count, char** arguments) {
   using namespace floorline::cosim;
+  const std::vector<std::string> words(arguments + 1, arguments + count);
+  const std::map<std::string, void (*)()> parts = {
+      {"cycles", print_cycles}, {"speed", print_speed}, {"faults", print_faults}, {"soak", print_soak}};
   try {
-    print_cycles();
-    print_speed();
-    print_faults();
-    print_soak();
+    if (words.size() == 1 && parts.contains(words[0])) {
+      parts.at(words[0])();
+    } else if (words.size() > 1 && words[0] == "pictures") {
+      print_pictures({words.begin() + 1, words.end()});
+    } else {
+      std::fprintf(stderr,
+                   "error: name the part to record: cycles, speed, faults, soak, or pictures FOLDER...\n");
+      return 2;
+    }
   } catch (const std::runtime_error& error) {
     std::fprintf(stderr, "error: %s\n", error.what());
     return 1;

@@ -1,4 +1,4 @@
-/// rtl/floorline_top as a Verilator model with our agents on every port.
+/// rtl/floorline_top as a Verilator model with our agents on every port, in both configurations of the core.
 #ifndef FLOORLINE_TB_COSIM_TOP_H
 #define FLOORLINE_TB_COSIM_TOP_H
 
@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <opencv2/core/types.hpp>
 #include <stdexcept>
 
 #include "host/driver.h"
@@ -21,15 +22,50 @@ class Hang : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Which core is in the top: hls/accelerator.h.
+enum class Configuration {
+  vga,  ///< 640x480, 128 lines.
+  wide  ///< 1280x384, 256 lines.
+};
+
+/// The smallest one that holds frames of this size. Throws Error when none does.
+Configuration configuration_for(cv::Size largest_frame);
+
+/// What is connected to the ports.
+struct Agents {
+  Agents(Stalls stalls, std::uint64_t seed);
+
+  VideoSource video;
+  PacketSink points, obstacles, counts;
+  AxiLiteMaster registers;
+};
+
+/// The Verilator model of one configuration.
+class TopModel {
+ public:
+  virtual ~TopModel() = default;
+
+  /// One clock cycle: the agents decide, the logic settles, the agents see, the clock rises. Whether a beat
+  /// moved on a stream. Throws ProtocolError.
+  virtual bool tick(Agents& agents, std::uint64_t cycle) = 0;
+  /// aresetn low and no VALID at the inputs, from the next cycle on, or the end of that.
+  virtual void set_reset(bool on) = 0;
+  /// One clock cycle that no agent sees.
+  virtual void tick_unseen() = 0;
+  virtual bool interrupt() const = 0;
+  virtual void record(const std::filesystem::path& file) = 0;
+};
+
+/// Of the library that is linked: cosim_models, or the seeded bugs of mutants.cpp. Registers without reset
+/// start at random values from `seed`.
+std::unique_ptr<TopModel> make_model(Configuration configuration, std::uint64_t seed);
+
 /// Everything that happens on a port happens in tick(): register accesses are calls that let cycles pass
 /// until they are answered, while video and results go on.
 class Top : public RegisterBus {
  public:
   /// Comes out of reset. `stalls` holds for every port; each has a sequence of its own from `seed`.
-  Top(Stalls stalls, std::uint64_t seed);
-  ~Top() override;
-  Top(const Top&) = delete;
-  Top& operator=(const Top&) = delete;
+  Top(Configuration configuration, Stalls stalls, std::uint64_t seed);
 
   /// One clock cycle. Throws ProtocolError, and Hang after kIdleLimit cycles in which pixels wait or results
   /// are awaited and nothing moves.
@@ -39,11 +75,11 @@ class Top : public RegisterBus {
   /// Some cycles with aresetn low. What is queued or half received is forgotten.
   void reset(int cycles = 4);
 
-  VideoSource& video() { return video_; }
-  PacketSink& points() { return points_; }
-  PacketSink& obstacles() { return obstacles_; }
-  PacketSink& counts() { return counts_; }
-  bool interrupt() const;
+  VideoSource& video() { return agents_.video; }
+  PacketSink& points() { return agents_.points; }
+  PacketSink& obstacles() { return agents_.obstacles; }
+  PacketSink& counts() { return agents_.counts; }
+  bool interrupt() const { return model_->interrupt(); }
   std::uint64_t cycles() const { return cycle_; }
 
   /// RegisterBus. Throws Error for an access that the core answers with SLVERR.
@@ -54,21 +90,15 @@ class Top : public RegisterBus {
   std::uint32_t try_write(std::uint32_t offset, std::uint32_t value, std::uint32_t strobe);
 
   /// Waves (FST) of all signals from now on, until the Top goes.
-  void record(const std::filesystem::path& file);
+  void record(const std::filesystem::path& file) { model_->record(file); }
 
   static constexpr std::uint64_t kIdleLimit = 100'000;
 
  private:
-  struct Model;
-
-  void drive();
-  void sample();
   void finish_access();
 
-  std::unique_ptr<Model> model_;
-  VideoSource video_;
-  PacketSink points_, obstacles_, counts_;
-  AxiLiteMaster registers_;
+  std::unique_ptr<TopModel> model_;
+  Agents agents_;
   std::uint64_t cycle_ = 0;
   std::uint64_t last_move_ = 0;
 };
