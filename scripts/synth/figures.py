@@ -42,7 +42,7 @@ def by_hand():
 def clock():
     placed = evaluate("top", "ecp5", SEEDS)
     mhz = flow.best_route(placed)["mhz"]
-    figure("synth.fmax.ecp5", mhz, ">=", 100)
+    figure("synth.mhz.ecp5", mhz, ">=", 100)
     figure("synth.seeds.ecp5", len(placed["routes"]), ">=", SEEDS)
     figure("synth.frames_per_second.ecp5", round(mhz * 1e6 / tables.cycles(tables.VGA)["frame_cycles"]), ">=", 325)
 
