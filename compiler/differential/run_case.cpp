@@ -31,7 +31,7 @@ class CaseRun {
   CaseResult run() {
     try {
       compile_kernel();
-      std::string broken = failed_expectation(compiled_, steering_);
+      std::string broken = failed_expectation(report_of(compiled_, schedule_options(options_)), steering_);
       if (!broken.empty()) return {Outcome::kExpectation, broken};
       CaseResult native = run_native();
       return native.outcome == Outcome::kPass ? run_verilog() : native;

@@ -9,6 +9,7 @@
 #include "design/fold.h"
 #include "design/names.h"
 #include "design/narrow.h"
+#include "design/share_loads.h"
 #include "design/simplify.h"
 #include "middle/pipeline.h"
 #include "verilog/emit_process.h"
@@ -50,6 +51,7 @@ class Compilation {
 
  private:
   CompiledProcess scheduled(Process process) {
+    share_loads(process);
     remove_dead(process);
     merge_exclusive_accesses(process);
     narrow(process);
