@@ -104,7 +104,12 @@ ProcessBuilder::Place ProcessBuilder::place_of(const Address& address, const Ins
 
 ValueId ProcessBuilder::combined(ValueId outer, uint64_t size, ValueId inner, const Instruction& access) {
   if (is_zero(outer)) return inner;
-  ValueId scaled = binary(OpKind::kMul, outer, constant_value(APInt(64, size)), access);
+  if (is_constant(outer) && is_constant(inner))
+    return constant_value(process_[outer].constant * size + process_[inner].constant);
+  ValueId scaled = size == 1 ? outer
+                   : is_constant(outer)
+                       ? constant_value(process_[outer].constant * size)
+                       : binary(OpKind::kMul, outer, constant_value(APInt(64, size)), access);
   return is_zero(inner) ? scaled : binary(OpKind::kAdd, scaled, inner, access);
 }
 
