@@ -175,12 +175,62 @@ class ModuleReporter {
 }  // namespace
 
 const char* operation_name(OpKind kind) {
-  static const char* const names[] = {
-      "constant", "input",     "register",  "add",    "subtract", "multiply", "divide",
-      "divide",   "remainder", "remainder", "and",    "or",       "xor",      "shift",
-      "shift",    "shift",     "compare",   "select", "extend",   "extend",   "cut",
-      "load",     "store",     "read",      "write",  "is empty", "is full",  "output"};
-  return names[static_cast<int>(kind)];
+  switch (kind) {
+    case OpKind::kConstant:
+      return "constant";
+    case OpKind::kInput:
+      return "input";
+    case OpKind::kPhi:
+      return "register";
+    case OpKind::kAdd:
+      return "add";
+    case OpKind::kSub:
+      return "subtract";
+    case OpKind::kMul:
+      return "multiply";
+    case OpKind::kUDiv:
+    case OpKind::kSDiv:
+      return "divide";
+    case OpKind::kURem:
+    case OpKind::kSRem:
+      return "remainder";
+    case OpKind::kAnd:
+      return "and";
+    case OpKind::kOr:
+      return "or";
+    case OpKind::kXor:
+      return "xor";
+    case OpKind::kShl:
+    case OpKind::kLShr:
+    case OpKind::kAShr:
+      return "shift";
+    case OpKind::kCompare:
+      return "compare";
+    case OpKind::kSelect:
+      return "select";
+    case OpKind::kZExt:
+    case OpKind::kSExt:
+      return "extend";
+    case OpKind::kTrunc:
+      return "cut";
+    case OpKind::kConcat:
+      return "concatenate";
+    case OpKind::kLoad:
+      return "load";
+    case OpKind::kStore:
+      return "store";
+    case OpKind::kRead:
+      return "read";
+    case OpKind::kWrite:
+      return "write";
+    case OpKind::kEmpty:
+      return "is empty";
+    case OpKind::kFull:
+      return "is full";
+    case OpKind::kOutput:
+      return "output";
+  }
+  return "";
 }
 
 Report report_of(const CompileResult& result, const ScheduleOptions& options) {
