@@ -1,5 +1,6 @@
 // A local array in registers, read in parallel.
 // top: array_partition_complete
+// expect: memory copy registers 8x32
 int array_partition_complete(const int in[8]) {
   int copy[8];
 #pragma HLS ARRAY_PARTITION variable=copy complete

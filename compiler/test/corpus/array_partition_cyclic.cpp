@@ -1,5 +1,6 @@
 // Cyclic banks let an unrolled loop read two elements a cycle.
 // top: array_partition_cyclic
+// expect: memory bank ram 16x32 count=2
 int array_partition_cyclic(const int in[32]) {
   int bank[32];
 #pragma HLS ARRAY_PARTITION variable=bank cyclic factor=2

@@ -1,6 +1,7 @@
 // An array of structs with arrays, split by element: the members' own arrays stay whole.
 // top: array_partition_struct
 // calls: 3
+// expect: memory c_2 registers 3x16 count=6
 #include "ap_int.h"
 struct Cell { bool on; ap_int<11> x; short part[3]; };
 void array_partition_struct(const int in[24], int out[24], unsigned s) {

@@ -1,6 +1,8 @@
 // Banks of a constant table and of an array with initial values.
 // top: array_partition_table
 // calls: 3
+// expect: memory tab logic count=2
+// expect: memory st ram 14x16 count=2
 
 static const short tab[3][7] = {{1,2,3,4,5,6,7},{-1,-2,-3,-4,-5,-6,-7},{11,12,13,14,15,16,17}};
 static short st[3][7] = {{1,2,3,4,5,6,7},{-1,-2,-3,-4,-5,-6,-7},{11,12,13,14,15,16,17}};

@@ -1,6 +1,7 @@
 // A 3-D array in banks by its first and last dimension, 5 not divisible by 2.
 // top: array_partition_three_dims
 // calls: 3
+// expect: memory a ram 24x16 count=4
 
 void array_partition_three_dims(const short in[60], short out[60], unsigned s, unsigned t) {
   short a[3][4][5];

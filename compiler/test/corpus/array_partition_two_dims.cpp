@@ -1,6 +1,7 @@
 // Cyclic banks by rows, blocks by columns, in a static array.
 // top: array_partition_two_dims
 // calls: 3
+// expect: memory a ram 9x32 count=6
 
 void array_partition_two_dims(const int in[40], int out[40], unsigned s, unsigned t) {
   static int a[5][8];

@@ -1,5 +1,6 @@
 // Reshaped array: wide words.
 // top: array_reshape
+// expect: memory words ram 16x8
 int array_reshape(const unsigned char in[16]) {
   unsigned char words[16];
 #pragma HLS ARRAY_RESHAPE variable=words cyclic factor=4

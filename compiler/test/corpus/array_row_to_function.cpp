@@ -6,5 +6,5 @@ static int sum_of(const int row[8]) {
   return sum;
 }
 void array_row_to_function(const int matrix[4][8], int sums[4]) {
-  for (int r = 0; r < 4; ++r) sums[r] = sum_of(matrix[r]);
+  for (int r = 0; r < 4; ++r) sums[r] = sum_of(matrix[r]);  // expect: loop sequential
 }

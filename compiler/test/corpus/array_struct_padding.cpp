@@ -1,5 +1,7 @@
 // A history of structs with padding, shifted as a whole: the padding, an array in the struct, costs nothing.
 // top: array_struct_padding
+// expect: memory before_1 none
+// expect: memory before registers count=3
 #include "ap_int.h"
 struct Neighbour {
   ap_uint<1> present;

@@ -1,6 +1,7 @@
 // A static object keeps state across calls.
 // top: call_static_object
 // calls: 10
+// expect: memory filter registers 3x32
 struct Filter {
   int history[3];
   int step(int x) {

@@ -4,7 +4,7 @@
 #include "hls_stream.h"
 template <int K>
 static void stage(hls::stream<ap_uint<12> >& in, hls::stream<ap_uint<12> >& out) {
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 60; ++i) {  // expect: loop II=1 depth=1
 #pragma HLS PIPELINE II=1
     out.write(in.read() * K + i);
   }

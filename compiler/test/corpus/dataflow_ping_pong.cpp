@@ -2,7 +2,7 @@
 // top: dataflow_ping_pong
 #include "hls_stream.h"
 static void fill(hls::stream<int>& in, int buffer[16]) {
-  for (int i = 0; i < 16; ++i) {
+  for (int i = 0; i < 16; ++i) {  // expect: loop II=1 cycles=16
 #pragma HLS PIPELINE II=1
     buffer[i] = in.read();
   }

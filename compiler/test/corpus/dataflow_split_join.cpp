@@ -18,7 +18,7 @@ static void negate(hls::stream<int>& in, hls::stream<int>& out) {
   }
 }
 static void join(hls::stream<int>& even, hls::stream<int>& odd, hls::stream<int>& out) {
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 20; ++i) {  // expect: loop II=2 depth=2
 #pragma HLS PIPELINE II=2
     out.write(even.read());
     out.write(odd.read());

@@ -4,7 +4,7 @@ int loop_extra_statement(const unsigned char a[16]) {
   int taps[4] = {0, 0, 0, 0};
 #pragma HLS ARRAY_PARTITION variable=taps complete
   int out = 0, n = 0;
-  for (int i = 0; i < 16; ++i) {
+  for (int i = 0; i < 16; ++i) {  // expect: loop II=1 depth=2
 #pragma HLS PIPELINE II=1
     for (int k = 3; k > 0; --k) {
 #pragma HLS UNROLL

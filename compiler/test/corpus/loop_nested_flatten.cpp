@@ -3,7 +3,7 @@
 int loop_nested_flatten(int a) {
   int x = a;
 ROW:
-  for (int r = 0; r < 7; ++r) {
+  for (int r = 0; r < 7; ++r) {  // expect: loop sequential
   COLUMN:
     for (int c = 0; c < 5; ++c) {
 #pragma HLS LOOP_FLATTEN

@@ -4,7 +4,7 @@ int loop_nested_imperfect(const int a[6][6]) {
   int best = -2147483647 - 1;
   for (int r = 0; r < 6; ++r) {
     int sum = r;
-    for (int c = 0; c < 6; ++c) {
+    for (int c = 0; c < 6; ++c) {  // expect: loop II=1
 #pragma HLS PIPELINE II=1
       sum += a[r][c] >> 4;
     }

@@ -1,5 +1,6 @@
 // PIPELINE in a function unrolls the loops inside it.
 // top: loop_pipeline_function
+// expect: latency 2
 int loop_pipeline_function(int a, int b) {
 #pragma HLS PIPELINE II=1
   int x = a;

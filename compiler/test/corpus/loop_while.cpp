@@ -2,6 +2,7 @@
 // top: loop_while
 // range: a=1..5000
 // range: b=1..5000
+// expect: latency N(while_3) * 12 + 3
 int loop_while(int a, int b) {
   while (b != 0) {
     int t = a % b;

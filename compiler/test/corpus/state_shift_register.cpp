@@ -1,6 +1,8 @@
 // A static shift register: FIR with constant coefficients.
 // top: state_shift_register
 // calls: 20
+// expect: memory taps registers 8x16
+// expect: operators multiply=0
 int state_shift_register(short x) {
   static short taps[8];
 #pragma HLS ARRAY_PARTITION variable=taps complete

@@ -2,6 +2,8 @@
 // top: stream_window3x3
 // range: width=1..12
 // range: height=1..6
+// expect: memory lines ram 12x8 count=2
+// expect: memory window none
 #include "ap_int.h"
 #include "hls_stream.h"
 void stream_window3x3(hls::stream<ap_uint<8> >& in, hls::stream<ap_uint<8> >& out, unsigned char width,
@@ -11,7 +13,7 @@ void stream_window3x3(hls::stream<ap_uint<8> >& in, hls::stream<ap_uint<8> >& ou
   ap_uint<8> window[3][3];
 #pragma HLS ARRAY_PARTITION variable=window complete dim=0
   for (int r = 0; r < height; ++r) {
-    for (int c = 0; c < width; ++c) {
+    for (int c = 0; c < width; ++c) {  // expect: loop II=1
 #pragma HLS PIPELINE II=1
       ap_uint<8> p = in.read();
       ap_uint<8> column[3] = {r > 1 ? lines[1][c] : ap_uint<8>(0), r > 0 ? lines[0][c] : ap_uint<8>(0), p};

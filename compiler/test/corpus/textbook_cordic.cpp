@@ -1,5 +1,6 @@
 // CORDIC rotation in fixed point.
 // top: textbook_cordic
+// expect: operators multiply=0
 #include "ap_fixed.h"
 typedef ap_fixed<18, 3> Angle;
 void textbook_cordic(ap_fixed<12, 1> fraction, Angle& sine, Angle& cosine) {
@@ -7,7 +8,7 @@ void textbook_cordic(ap_fixed<12, 1> fraction, Angle& sine, Angle& cosine) {
                                   0.0156237, 0.0078123, 0.0039062, 0.0019531, 0.0009765, 0.0004882};
   Angle x = 0.6072529, y = 0, z = fraction;
 ROTATE:
-  for (int i = 0; i < 12; ++i) {
+  for (int i = 0; i < 12; ++i) {  // expect: loop II=1 cycles=12
 #pragma HLS PIPELINE
     Angle dx = y >> i, dy = x >> i;
     if (z >= 0) {

@@ -1,5 +1,7 @@
 // An 8-point DCT by a coefficient table.
 // top: textbook_dct8
+// expect: memory kCosine logic 64x8
+// expect: operators multiply=1
 static const short kCosine[8][8] = {{64, 64, 64, 64, 64, 64, 64, 64},     {89, 75, 50, 18, -18, -50, -75, -89},
                                     {83, 36, -36, -83, -83, -36, 36, 83}, {75, -18, -89, -50, 50, 89, 18, -75},
                                     {64, -64, -64, 64, 64, -64, -64, 64}, {50, -89, 18, 75, -75, -18, 89, -50},

@@ -6,7 +6,7 @@ OUTER:
     int item = a[i];
     int j = i;
   INNER:
-    while (j > 0 && a[j - 1] > item) {
+    while (j > 0 && a[j - 1] > item) {  // expect: loop II=1
 #pragma HLS PIPELINE
       a[j] = a[j - 1];
       --j;

@@ -4,7 +4,7 @@
 void textbook_run_length(hls::stream<unsigned char>& in, hls::stream<unsigned short>& out) {
   unsigned char current = in.read() & 1;
   unsigned char run = 1;
-  for (int i = 1; i < 64; ++i) {
+  for (int i = 1; i < 64; ++i) {  // expect: loop II=1
     unsigned char v = in.read() & 1;
     if (v == current && run < 200) {
       ++run;

@@ -1,5 +1,6 @@
 // Transpose through a local array.
 // top: textbook_transpose
+// expect: memory block ram 36x32 count=1
 #include "hls_stream.h"
 void textbook_transpose(hls::stream<int>& in, hls::stream<int>& out) {
   int block[6][6];
