@@ -23,7 +23,9 @@ struct LineBeam {
   int line_count;
 };
 
-/// A line by its end points, walked from the upper one, `first`, to `last`.
+/// A line by its end points, walked from the upper one, `first`, to `last`. golden::Line is its twin in
+/// the golden model, so that the table for the hardware does not lean on it; Configuration copies one to the
+/// other.
 struct BeamLine {
   cv::Point first;
   cv::Point last;

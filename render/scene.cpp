@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "host/camera.h"
 #include "host/error.h"
 #include "host/text_file.h"
 
@@ -217,8 +218,8 @@ void describe(Archive& archive, Material& material) {
 
 template <typename Archive>
 void describe(Archive& archive, ImageFormat& image) {
-  archive.number("width", image.width, {16, 2048});
-  archive.number("height", image.height, {16, 2048});
+  archive.number("width", image.width, {16, largest_side});
+  archive.number("height", image.height, {16, largest_side});
   archive.number("fps", image.fps, {0.1, 10000});
   archive.number("samples", image.samples, {1, 16});
   archive.flag("colour", image.colour);

@@ -39,23 +39,26 @@ def named_ports(constraints):
     return names
 
 
+def faults(constraints, ports, top):
+    """A sentence for names that are no port, and one for ports without a pin."""
+    bits = [name if width == 1 else f"{name}[{i}]" for name, width in ports.items() for i in range(width)]
+    names = named_ports(constraints)
+    if constraints.suffix == ".xdc":  # patterns name whole ports, and pins are the business of the design around
+        unknown, missing = [name for name in names if not fnmatch.filter(ports, name)], []
+    else:
+        unknown, missing = [name for name in names if name not in bits], [bit for bit in bits if bit not in names]
+    if unknown:
+        yield f"{constraints.name} names {', '.join(unknown)}, but {top} has no such port; correct the name."
+    if missing:
+        yield f"{constraints.name} gives no pin to {', '.join(missing)} of {top}; add it."
+
+
 def main():
     if len(sys.argv) < 4:
         sys.exit(f"error: {__doc__}")
     constraints, top, sources = pathlib.Path(sys.argv[1]), sys.argv[2], sys.argv[3:]
-    ports = ports_of(top, sources)
-    bits = [name if width == 1 else f"{name}[{i}]" for name, width in ports.items() for i in range(width)]
-    names = named_ports(constraints)
-    if constraints.suffix == ".xdc":  # patterns name whole ports
-        unknown = [name for name in names if not fnmatch.filter(ports, name)]
-        missing = []
-    else:
-        unknown = [name for name in names if name not in bits]
-        missing = [bit for bit in bits if bit not in names]
-    if unknown:
-        sys.exit(f"error: {constraints.name} names {', '.join(unknown)}, but {top} has no such port; correct the name.")
-    if missing:
-        sys.exit(f"error: {constraints.name} gives no pin to {', '.join(missing)} of {top}; add it.")
+    for fault in faults(constraints, ports_of(top, sources), top):
+        sys.exit(f"error: {fault}")
 
 
 if __name__ == "__main__":

@@ -50,7 +50,7 @@ TEST(Scene, SaysWhatIsWrong) {
   EXPECT_THAT(message_of("camera: {height_m: tall}"),
               HasSubstr("room.yaml.camera: 'height_m' must be a number"));
   EXPECT_THAT(message_of("camera: {height_m: .nan}"), HasSubstr("must lie between"));
-  EXPECT_THAT(message_of("image: {width: 12.5}"), HasSubstr("must lie between 16 and 2048"));
+  EXPECT_THAT(message_of("image: {width: 12.5}"), HasSubstr("must lie between 16 and 2047"));
   EXPECT_THAT(message_of("image: {width: 20.5}"), HasSubstr("must be a whole number"));
   EXPECT_THAT(message_of("image: {colour: maybe}"), HasSubstr("true or false"));
   EXPECT_THAT(message_of("room: {low: [1]}"), HasSubstr("a list of 2 numbers"));
