@@ -56,7 +56,7 @@ def critical_path(routed, files):
     for step in slowest["path"]:
         elapsed += step["delay"]
         name = plain_name(step["from"]["cell"])
-        if not steps or steps[-1]["at"] != name:
+        if not steps or (steps[-1]["at"] != name and not name.startswith("$")):  # $: a cell of nextpnr's own, of the name before
             steps.append({"at": name, "source": source_of(name, sources)})
         steps[-1]["ns"] = round(elapsed, 2)
     return steps

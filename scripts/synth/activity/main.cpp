@@ -9,7 +9,7 @@
 
 namespace {
 
-constexpr int kFrames = 3;  // of which the first one is not counted
+constexpr int kFrames = 2;  // of which the first one is not counted
 
 void tick(Vdemonstration& model) {
   model.clk = 0;
