@@ -1,6 +1,5 @@
 #include "design/dead.h"
 
-#include <algorithm>
 #include <vector>
 
 namespace hlsc {
@@ -56,10 +55,15 @@ class Liveness {
 
 void remove_dead(Process& process) {
   Liveness liveness(process);
-  for (Block& block : process.blocks)
-    block.operations.erase(std::remove_if(block.operations.begin(), block.operations.end(),
-                                          [&](ValueId id) { return !liveness.is_live(id); }),
-                           block.operations.end());
+  for (Memory& memory : process.memories) memory.is_read = memory.is_written = false;
+  for (Block& block : process.blocks) {
+    std::erase_if(block.operations, [&](ValueId id) { return !liveness.is_live(id); });
+    for (ValueId id : block.operations) {
+      const Operation& op = process[id];
+      if (op.kind == OpKind::kLoad) process.memories[op.object].is_read = true;
+      if (op.kind == OpKind::kStore) process.memories[op.object].is_written = true;
+    }
+  }
 }
 
 }  // namespace hlsc
