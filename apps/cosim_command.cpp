@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <map>
 #include <memory>
-#include <numeric>
 
 #include "command.h"
+#include "cosim_report.h"
 #include "drive.h"
 #include "output.h"
 #include "progress.h"
@@ -52,37 +52,7 @@ class SequenceFrames {
   std::unique_ptr<Drive> drive_;
 };
 
-/// What a person wants to know of a run.
-struct Summary {
-  cosim::Result result;
-  cv::Size size;
-  std::string stalls;
-
-  std::size_t frames() const { return result.frames.size(); }
-  long sum(long cosim::FrameVerdict::* stream) const {
-    long total = 0;
-    for (const cosim::FrameVerdict& frame : result.frames) total += frame.*stream;
-    return total;
-  }
-  std::size_t sum(std::size_t cosim::FrameVerdict::* elements) const {
-    std::size_t total = 0;
-    for (const cosim::FrameVerdict& frame : result.frames) total += frame.*elements;
-    return total;
-  }
-  std::uint32_t greatest(std::uint32_t HardwareCounters::* counter) const {
-    std::uint32_t greatest = 0;
-    for (const cosim::FrameVerdict& frame : result.frames)
-      greatest = std::max(greatest, frame.counters.*counter);
-    return greatest;
-  }
-  std::uint32_t most_cycles() const {
-    std::uint32_t most = 0;
-    for (const cosim::FrameVerdict& frame : result.frames) most = std::max(most, frame.cycles.value_or(0));
-    return most;
-  }
-};
-
-nlohmann::json facts(const Summary& s) {
+nlohmann::json facts(const CosimSummary& s) {
   return {{"frames", s.frames()},
           {"stalls", s.stalls},
           {"differing_bits",
@@ -101,42 +71,7 @@ nlohmann::json facts(const Summary& s) {
           {"frames_per_second", static_cast<double>(s.frames()) / s.result.seconds}};
 }
 
-/// Sections of docs/report.md.
-nlohmann::json hardware_sections(const Summary& s) {
-  const auto verdict = [](bool ok) { return ok ? "ok" : "short"; };
-  const auto stream = [&](const char* name, long bits, std::size_t elements) {
-    return nlohmann::json{name, elements, bits, verdict(bits == 0)};
-  };
-  nlohmann::json comparison = {
-      {"title", "RTL against C simulation"},
-      {"note", fmt::format("{} frames of {}x{} in Verilator, stalls: {}. Every bit of every stream.",
-                           s.frames(), s.size.width, s.size.height, s.stalls)},
-      {"columns", {"stream", "elements", "differing bits", "verdict"}},
-      {"rows",
-       {stream("points", s.sum(&cosim::FrameVerdict::points), s.sum(&cosim::FrameVerdict::point_count)),
-        stream("obstacles", s.sum(&cosim::FrameVerdict::obstacles),
-               s.sum(&cosim::FrameVerdict::obstacle_count)),
-        stream("line counts", s.sum(&cosim::FrameVerdict::counts), s.sum(&cosim::FrameVerdict::line_count)),
-        stream("registers", s.sum(&cosim::FrameVerdict::registers), s.frames())}}};
-  constexpr std::uint32_t kPaperLatency = 4610;
-  const std::uint32_t cycles_bound = s.size.area() + 1000, latency_bound = 2200;
-  const std::uint32_t decision = s.greatest(&HardwareCounters::decision_latency);
-  nlohmann::json cycles = {
-      {"title", "Cycles and latencies"},
-      {"note",
-       "The core's own counters, greatest of all frames. The ICVS paper needs about 4,610 cycles to a "
-       "contact "
-       "point; its frames take width * height cycles."},
-      {"columns", {"counter", "cycles", "bound", "paper", "verdict"}},
-      {"rows",
-       {{"frame", s.most_cycles(), cycles_bound, s.size.area(), verdict(s.most_cycles() <= cycles_bound)},
-        {"last pixel of the deciding row to point", decision, latency_bound, kPaperLatency,
-         verdict(decision <= latency_bound)},
-        {"first pixel to first result", s.greatest(&HardwareCounters::first_result_latency), "", "", ""}}}};
-  return nlohmann::json::array({comparison, cycles});
-}
-
-void print(const Options& options, const Summary& s) {
+void print(const Options& options, const CosimSummary& s) {
   options.results.text(
       fmt::format("{}: {} frames of {}x{}, stalls {}: {} differing bits in {} points, {} obstacles, {} line "
                   "counts and the registers",
@@ -170,10 +105,10 @@ ExitCode run(const Options& options) {
   job.seed = options.seed;
   job.waves = options.waves;
   job.progress = [&](int done) { progress.advance(done, count); };
-  const Summary summary = {cosim::cosimulate(job), job.largest_frame, options.stalls};
+  const CosimSummary summary = {cosim::cosimulate(job), job.largest_frame, options.stalls};
   print(options, summary);
   options.results.json(facts(summary));
-  if (!options.hardware.empty()) produce_file(options.hardware, hardware_sections(summary).dump(2) + "\n");
+  if (!options.hardware.empty()) write_hardware_sections(summary, options.hardware);
   return summary.result.differences() == 0 ? ExitCode::ok : ExitCode::short_of_bound;
 }
 

@@ -7,5 +7,6 @@ source scripts/records.sh
 rtl=(hls rtl tb/cosim tb/csim host)
 recorded cosim "${rtl[@]}" apps/drive.cpp scenes/demo.yaml scripts/cosim_record.sh -- ./scripts/cosim_record.sh "$1"
 recorded mutants "${rtl[@]}" scripts/mutate.py scripts/mutants.sh -- ./scripts/mutants.sh "$1"
+recorded gate_level "${rtl[@]}" scripts/gate_level.sh -- ./scripts/gate_level.sh "$1"
 "$1/bin/cosim_record" cycles
 taskset -c 0 "$1/bin/cosim_record" speed

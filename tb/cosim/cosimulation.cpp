@@ -59,8 +59,7 @@ class Session {
   /// overwritten; frames of some size follow without a gap all the same.
   void send(int index) {
     const FrameInput input = prepared(job_.frame(index));
-    while (!driver_.prepared_frame_started()) {
-    }
+    top_.run_until([&] { return driver_.prepared_frame_started(); });
     if (waves_ && waves_->frame == index) top_.record(waves_->file);
     driver_.prepare(input.parameters, input.lines);
     queue_video(input.image, 0, input.image.rows - 1, top_.video().queue);
@@ -102,6 +101,7 @@ class Session {
     verdict.obstacles = take("obstacles", expected_->obstacles, top_.obstacles());
     verdict.counts = take("counts", expected_->counts, top_.counts());
     compare_registers(verdict);
+    verdict.channels = top_.take_channels();
     result_.frames.push_back(verdict);
   }
 

@@ -14,6 +14,7 @@
 #include "hls/types.h"
 #include "host/driver.h"
 #include "tb/cosim/stalls.h"
+#include "tb/cosim/top.h"
 
 namespace floorline::cosim {
 
@@ -39,6 +40,7 @@ struct FrameVerdict {
   HardwareCounters counters = {};  ///< Read when the frame's results had left.
   std::optional<std::uint32_t>
       cycles;  ///< FRAME_CYCLES of this frame; known when the next one started in time.
+  std::vector<ChannelCounts> channels;  ///< From the results of the frame before to its own.
 
   long differences() const { return points + obstacles + counts + registers; }
 };

@@ -154,15 +154,15 @@ void FaultCampaign::disturb(Fault fault, std::deque<VideoBeat> beats) {
     case Fault::reset_in_frame:
       cut();
       top_.video().queue = beats;
-      for (int i = random_.number(1, 2 * size_.area()); i > 0; --i) top_.tick();
+      // Often while the frame starts, which takes some dozen cycles.
+      for (int i = random_.number(1, random_.chance(0.5) ? 64 : 2 * size_.area()); i > 0; --i) top_.tick();
       top_.reset();
       start_anew();
       prepare_frame();
       break;
     case Fault::register_accesses:
       queue(beats);
-      while (!driver_->prepared_frame_started()) {
-      }
+      top_.run_until([&] { return driver_->prepared_frame_started(); });
       access_registers();
       wait_for_starts();
       driver_.emplace(top_);  // It knows no longer what the registers hold.

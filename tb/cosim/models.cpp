@@ -1,12 +1,76 @@
 #include "Vfloorline_top.h"
+#include "Vfloorline_top___024root.h"
 #include "Vfloorline_top_wide.h"
+#include "Vfloorline_top_wide___024root.h"
 #include "tb/cosim/verilated_top.h"
 
 namespace floorline::cosim {
+namespace {
+
+/// With counters on the FIFOs between the stages. They look at registers of rtl/lib/fifo.v through
+/// Verilator's names for them, so that the RTL needs no counters for it.
+template <typename Verilated>
+class CountedTop final : public VerilatedTop<Verilated> {
+ public:
+  using VerilatedTop<Verilated>::VerilatedTop;
+
+  bool tick(Agents& agents, std::uint64_t cycle) override {
+    const bool moved = VerilatedTop<Verilated>::tick(agents, cycle);
+    count();
+    return moved;
+  }
+
+  std::vector<ChannelCounts> take_channels() override { return std::exchange(channels_, kNone); }
+
+ private:
+  void count() {
+    const auto& root = *this->verilated().rootp;
+    std::size_t next = 0;
+    const auto hold = [&](std::uint32_t words, bool not_empty, bool not_full) {
+      ChannelCounts& channel = channels_[next++];
+      ++channel.cycles;
+      channel.empty += !not_empty;
+      channel.full += !not_full;
+      channel.most = std::max(channel.most, words);
+    };
+#define FIFO(name, part) root.floorline_top__DOT__core__DOT__##name##_fifo__DOT__##part
+#define PAIR(name, part) FIFO(name, registers__DOT__pair__DOT__##part)
+#define HOLD_PAIR(name)                                                                          \
+  hold(PAIR(name, output_valid_reg) + !PAIR(name, spare_free_reg), PAIR(name, output_valid_reg), \
+       PAIR(name, spare_free_reg))
+#define HOLD_RAM(name)                                                            \
+  hold(FIFO(name, ram__DOT__stored_reg) + FIFO(name, ram__DOT__output_valid_reg), \
+       FIFO(name, ram__DOT__output_valid_reg), FIFO(name, ram__DOT__not_full_reg))
+    HOLD_PAIR(luma_out);
+    HOLD_PAIR(pairs);
+    HOLD_PAIR(difference_out);
+    HOLD_PAIR(blurred);
+    HOLD_PAIR(measured);
+    HOLD_PAIR(binary);
+    HOLD_PAIR(eroded);
+    HOLD_PAIR(region);
+    HOLD_RAM(contacts);
+    HOLD_PAIR(floor_points);
+    HOLD_RAM(candidates);
+#undef HOLD_RAM
+#undef HOLD_PAIR
+#undef PAIR
+#undef FIFO
+  }
+
+  static inline const std::vector<ChannelCounts> kNone = {
+      {"luma_out", 2, 0, 0, 0, 0},     {"pairs", 2, 0, 0, 0, 0},      {"difference_out", 2, 0, 0, 0, 0},
+      {"blurred", 2, 0, 0, 0, 0},      {"measured", 2, 0, 0, 0, 0},   {"binary", 2, 0, 0, 0, 0},
+      {"eroded", 2, 0, 0, 0, 0},       {"region", 2, 0, 0, 0, 0},     {"contacts", 64, 0, 0, 0, 0},
+      {"floor_points", 2, 0, 0, 0, 0}, {"candidates", 16, 0, 0, 0, 0}};
+  std::vector<ChannelCounts> channels_ = kNone;
+};
+
+}  // namespace
 
 std::unique_ptr<TopModel> make_model(Configuration configuration, std::uint64_t seed) {
-  if (configuration == Configuration::vga) return std::make_unique<VerilatedTop<Vfloorline_top>>(seed);
-  return std::make_unique<VerilatedTop<Vfloorline_top_wide>>(seed);
+  if (configuration == Configuration::vga) return std::make_unique<CountedTop<Vfloorline_top>>(seed);
+  return std::make_unique<CountedTop<Vfloorline_top_wide>>(seed);
 }
 
 }  // namespace floorline::cosim

@@ -30,7 +30,7 @@ cv::Mat RandomFrames::image(cv::Size size) {
     cv::rectangle(image, box, cv::Scalar(number(0, 255), number(0, 255), number(0, 255)), cv::FILLED);
   }
   cv::Mat noise(size, image.type());
-  random_.fill(noise, cv::RNG::UNIFORM, 0, chance(0.1) ? 256 : number(1, 24));
+  random_.fill(noise, cv::RNG::UNIFORM, 0, chance(0.2) ? 256 : number(1, 24));
   return image + noise;
 }
 
@@ -51,15 +51,17 @@ ProjectiveMap RandomFrames::homography(cv::Size size) {
   return map;
 }
 
+/// Over a hall, or over the metre before the robot, where neighbouring lines meet on one obstacle.
 ProjectiveMap RandomFrames::birdseye(cv::Size size) {
   const auto draw = [&](double limit) { return random_.uniform(-limit, limit); };
+  const double metres = chance(0.5) ? 8 : 0.5;
   ProjectiveMap map;
-  map.xu = fixed(draw(4.0 / size.width), kPixel);
-  map.xv = fixed(draw(4.0 / size.height), kPixel);
-  map.x1 = fixed(draw(8), kPixel);
-  map.yu = fixed(draw(4.0 / size.width), kPixel);
-  map.yv = fixed(draw(4.0 / size.height), kPixel);
-  map.y1 = fixed(draw(8), kPixel);
+  map.xu = fixed(draw(0.5 * metres / size.width), kPixel);
+  map.xv = fixed(draw(0.5 * metres / size.height), kPixel);
+  map.x1 = fixed(draw(metres), kPixel);
+  map.yu = fixed(draw(0.5 * metres / size.width), kPixel);
+  map.yv = fixed(draw(0.5 * metres / size.height), kPixel);
+  map.y1 = fixed(draw(metres), kPixel);
   map.zu = fixed(draw(1.0 / size.width), kUnit);
   map.zv = fixed(draw(1.0 / size.height), kUnit);
   map.z1 = fixed(random_.uniform(0.0, 4.0), kUnit);

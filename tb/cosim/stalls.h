@@ -9,8 +9,8 @@ namespace floorline::cosim {
 enum class Stalls {
   none,   ///< Never.
   light,  ///< One cycle in sixteen.
-  heavy   ///< Phases of up to 256 cycles with none, half, or nearly all of them stalled, so that buffers run
-          ///< empty and full.
+  heavy   ///< Phases of up to 256 cycles, one in eight of up to 1024, with none, half, or nearly all of them
+          ///< stalled, so that buffers run empty and full.
 };
 
 class StallPattern {
@@ -24,7 +24,7 @@ class StallPattern {
     if (phase_ == 0) {
       constexpr std::uint32_t kSixteenths[] = {0, 8, 15};
       density_ = kSixteenths[next() % 3];
-      phase_ = 1 + next() % 256;
+      phase_ = (1 + next() % 256) * (next() % 8 == 0 ? 4 : 1);
     }
     --phase_;
     return next() % 16 < density_;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <opencv2/core/types.hpp>
 #include <stdexcept>
+#include <vector>
 
 #include "host/driver.h"
 #include "tb/cosim/axi_lite.h"
@@ -40,6 +41,16 @@ struct Agents {
   AxiLiteMaster registers;
 };
 
+/// What a FIFO between two stages held, over some cycles.
+struct ChannelCounts {
+  const char* name;      ///< As in hls/accelerator.h.
+  std::uint32_t depth;   ///< Words that it can hold.
+  std::uint32_t most;    ///< Words that it held at most.
+  std::uint64_t cycles;  ///< That were counted.
+  std::uint64_t empty;   ///< Cycles in which its reader found nothing.
+  std::uint64_t full;    ///< Cycles in which its writer found no room.
+};
+
 /// The Verilator model of one configuration.
 class TopModel {
  public:
@@ -54,6 +65,8 @@ class TopModel {
   virtual void tick_unseen() = 0;
   virtual bool interrupt() const = 0;
   virtual void record(const std::filesystem::path& file) = 0;
+  /// Of the FIFOs between the stages in order, since the last call; none for models that do not count.
+  virtual std::vector<ChannelCounts> take_channels() { return {}; }
 };
 
 /// Of the library that is linked: cosim_models, or the seeded bugs of mutants.cpp. Registers without reset
@@ -81,6 +94,9 @@ class Top : public RegisterBus {
   PacketSink& counts() { return agents_.counts; }
   bool interrupt() const { return model_->interrupt(); }
   std::uint64_t cycles() const { return cycle_; }
+
+  /// Of the FIFOs between the stages in order, since the last call.
+  std::vector<ChannelCounts> take_channels() { return model_->take_channels(); }
 
   /// RegisterBus. Throws Error for an access that the core answers with SLVERR.
   std::uint32_t read32(std::uint32_t offset) override;
