@@ -7,7 +7,8 @@ using namespace llvm;
 
 ProcessBuilder::ProcessBuilder(const Program& program, const MiddleResult& middle,
                                const std::string& function, const std::string& module_name)
-    : middle_(middle),
+    : program_(program),
+      middle_(middle),
       function_(*program.module->getFunction(function)),
       layout_(program.module->getDataLayout()),
       library_info_(Triple(program.module->getTargetTriple())),

@@ -82,6 +82,10 @@ uint64_t ProcessBuilder::checked_bank(const Place& place, const MemoryObject& ob
 ValueId ProcessBuilder::store(Instruction& instruction) {
   Address address = decode(accessed_pointer(instruction), instruction);
   MemoryObject& object = *address.object;
+  if (region_ && object.argument >= 0)
+    refuse(instruction,
+           "'" + object.name +
+               "' is written between the processes of a dataflow function; write it in a process");
   Value* pointer = last_object_pointer_;
   auto* call = dyn_cast<CallInst>(&instruction);
   ValueId data = value_of(call ? call->getArgOperand(1) : cast<StoreInst>(instruction).getValueOperand());

@@ -5,6 +5,23 @@ namespace hlsc {
 
 using namespace llvm;
 
+namespace {
+
+/// A scaled value whose scale LLVM has moved into a product: `(x << 2) * 1` is `x * 4`.
+std::pair<Value*, int64_t> unscaled(Value* value, int64_t scale) {
+  auto* product = dyn_cast<OverflowingBinaryOperator>(value);
+  if (!product || !(product->hasNoSignedWrap() || product->hasNoUnsignedWrap())) return {value, scale};
+  auto* factor = dyn_cast<ConstantInt>(product->getOperand(1));
+  if (!factor) return {value, scale};
+  if (product->getOpcode() == Instruction::Shl)
+    return {product->getOperand(0), scale << factor->getZExtValue()};
+  if (product->getOpcode() == Instruction::Mul)
+    return {product->getOperand(0), scale * factor->getSExtValue()};
+  return {value, scale};
+}
+
+}  // namespace
+
 Address ProcessBuilder::decode(Value* pointer, const Instruction& access) {
   if (is_element_address(pointer)) return decode_element(*cast<CallInst>(pointer), access);
   APInt constant(64, 0);
@@ -39,8 +56,9 @@ Address ProcessBuilder::decode(Value* pointer, const Instruction& access) {
   }
   address.is_linear = true;
   ValueId index = constant_value(APInt(64, (offset - member) / stride, true));
-  for (auto& [value, scale] : terms) {
-    int64_t bytes = scale.getSExtValue();
+  for (auto& [scaled, scale] : terms) {
+    auto [value, bytes] = std::make_pair(scaled, scale.getSExtValue());
+    if (bytes % stride) std::tie(value, bytes) = unscaled(scaled, bytes);
     if (bytes % stride)
       refuse(access,
              "this address in '" + object.name + "' is not a whole number of elements; use subscripts");

@@ -1,3 +1,5 @@
+#include <llvm/Demangle/Demangle.h>
+
 #include "design/process_builder.h"
 #include "middle/primitives.h"
 #include "middle/source_location.h"
@@ -119,53 +121,34 @@ ValueId ProcessBuilder::translated_call(CallInst& call) {
     build_instance(call, process);
     return kNoValue;
   }
-  Operation operation;
   switch (primitive_of(call)) {
     case Primitive::kRead:
-      operation.kind = OpKind::kRead;
-      operation.type_width = call.getType()->getIntegerBitWidth();
-      operation.predicate = predicate_of(call.getArgOperand(1));
-      operation.object = stream_of(call, true, operation.type_width);
-      return add(operation, call, process_.streams[operation.object].name + "_data");
+      return read_stream(call);
     case Primitive::kWrite:
-      operation.kind = OpKind::kWrite;
-      operation.operands = {value_of(call.getArgOperand(1))};
-      operation.predicate = predicate_of(call.getArgOperand(2));
-      operation.object = stream_of(call, false, call.getArgOperand(1)->getType()->getIntegerBitWidth());
-      add(operation, call, process_.streams[operation.object].name + "_write");
+      write_stream(call);
       return kNoValue;
     case Primitive::kEmpty:
     case Primitive::kFull:
-      operation.kind = primitive_of(call) == Primitive::kEmpty ? OpKind::kEmpty : OpKind::kFull;
-      operation.type_width = 1;
-      operation.object = stream_of(call, operation.kind == OpKind::kEmpty, 0);
-      return add(
-          operation, call,
-          process_.streams[operation.object].name + (operation.kind == OpKind::kEmpty ? "_empty" : "_full"));
+      return stream_status(call);
     default:
       break;
   }
   if (auto* intrinsic = dyn_cast<IntrinsicInst>(&call)) return translated_intrinsic(*intrinsic);
-  std::string callee =
-      call.getCalledFunction() ? call.getCalledFunction()->getName().str() : "a function pointer";
-  refuse(call, "the call of '" + callee + "' cannot be inlined; give the function's source among the files");
+  refuse(call, reason_against(call));
 }
 
-int ProcessBuilder::stream_of(CallInst& call, bool is_input, unsigned width) {
-  APInt offset(64, 0);
-  Value* base = call.getArgOperand(0)->stripAndAccumulateConstantOffsets(layout_, offset, true);
-  auto known = streams_.find({base, offset.getZExtValue()});
-  if (known == streams_.end())
-    refuse(call,
-           "cannot tell which stream is meant here; pass streams by reference and use constant subscripts");
-  Stream& stream = process_.streams[known->second];
-  if (stream_used_.insert(known->second).second)
-    stream.is_input = is_input;
-  else if (stream.is_input != is_input)
-    refuse(call, "stream '" + stream.name +
-                     "' is both read and written by one process; use a local array, or split the process");
-  if (width) stream.width = width;
-  return known->second;
+std::string ProcessBuilder::reason_against(const CallInst& call) {
+  if (call.isInlineAsm()) return "inline assembly has no hardware form; write it in C++";
+  if (!call.getCalledFunction())
+    return "a function pointer has no hardware form; call the function by its name";
+  std::string name = call.getCalledFunction()->getName().str();
+  std::string readable = demangle(name);
+  bool is_heap = readable.find("operator new") == 0 || readable.find("operator delete") == 0;
+  if (is_heap || readable.find("std::__throw_") == 0 || readable.find("std::__cxx11::") == 0)
+    return "a container of the standard library needs a heap here, which hardware lacks; use an array of "
+           "fixed "
+           "size";
+  return "the call of '" + readable + "' cannot be inlined; give the function's source among the files";
 }
 
 void ProcessBuilder::refine(ValueId id, Instruction& instruction) {

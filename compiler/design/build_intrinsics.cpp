@@ -87,8 +87,12 @@ ValueId ProcessBuilder::funnel_shift(IntrinsicInst& call) {
   bool left = call.getIntrinsicID() == Intrinsic::fshl;
   ValueId amount = resized(value_of(call.getArgOperand(2)), 2 * width, false, call);
   ValueId modulus = constant_value(APInt(2 * width, width));
-  amount = is_constant(amount) ? constant_value(process_[amount].constant.urem(process_[modulus].constant))
-                               : binary(OpKind::kURem, amount, modulus, call);
+  if (is_constant(amount))
+    amount = constant_value(process_[amount].constant.urem(process_[modulus].constant));
+  else if (isPowerOf2_32(width))
+    amount = binary(OpKind::kAnd, amount, constant_value(APInt(2 * width, width - 1)), call);
+  else
+    amount = binary(OpKind::kURem, amount, modulus, call);
   ValueId high =
       binary(OpKind::kShl, resized(value_of(call.getArgOperand(0)), 2 * width, false, call), modulus, call);
   ValueId both =

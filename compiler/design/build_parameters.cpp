@@ -108,10 +108,12 @@ void ProcessBuilder::add_parameter_object(Argument& argument, const Parameter& p
   std::vector<uint64_t> dims = parameter.dims;
   bool is_open = !dims.empty() && dims[0] == 0;
   if (is_open && has_only_constant_zero_accesses(argument, parameter.layout.bytes)) dims.clear();
-  if (!dims.empty() && dims[0] == 0) dims[0] = port_depth(parameter.name);
+  if (!dims.empty() && dims[0] == 0) dims[0] = port_depth(argument, parameter);
   object.is_scalar_port = dims.empty();
   object.is_aggregate = !dims.empty() && is_aggregated(argument) && !is_stored_to(argument);
   add_layout(object, parameter.layout, dims);
+  if (!region_ || object.is_scalar_port) return;
+  for (std::string& name : object.leaf_names) name = names_.unique(name);  // Ports of the top.
 }
 
 bool ProcessBuilder::is_aggregated(Argument& argument) {
@@ -125,12 +127,45 @@ bool ProcessBuilder::is_stored_to(Argument& argument) {
   });
 }
 
-uint64_t ProcessBuilder::port_depth(const std::string& name) {
+uint64_t ProcessBuilder::port_depth(Argument& argument, const Parameter& parameter) {
   auto ports = middle_.directives.ports.find(function_.getName().str());
   if (ports != middle_.directives.ports.end())
     for (const PortDirective& entry : ports->second)
-      if (entry.port == name && entry.directive.has("depth")) return entry.directive.integer("depth", 0);
-  return 65536;
+      if (entry.port == parameter.name && entry.directive.has("depth"))
+        return entry.directive.integer("depth", 0);
+  uint64_t elements = 0;  // Of the callers' arrays.
+  for (User* user : function_.users())
+    if (auto* call = dyn_cast<CallInst>(user))
+      elements = std::max(elements,
+                          elements_behind(call->getArgOperand(argument.getArgNo()), parameter.layout.bytes));
+  if (elements == 0)
+    throw CompileError(info_->location, "the size of '" + parameter.name +
+                                            "' is not known; declare it as an array, " + parameter.name +
+                                            "[64], or give INTERFACE port=" + parameter.name + " a depth");
+  return elements;
+}
+
+uint64_t ProcessBuilder::elements_behind(Value* actual, uint64_t bytes) {
+  Value* object = getUnderlyingObject(actual, 0);
+  if (auto* local = dyn_cast<AllocaInst>(object))
+    return layout_.getTypeAllocSize(local->getAllocatedType()) / bytes;
+  if (auto* global = dyn_cast<GlobalVariable>(object))
+    return layout_.getTypeAllocSize(global->getValueType()) / bytes;
+  auto* outer = dyn_cast<Argument>(object);
+  if (!outer) return 0;
+  auto caller = program_.functions.find(outer->getParent()->getName().str());
+  if (caller == program_.functions.end()) return 0;
+  for (const Parameter& parameter : caller->second.parameters) {
+    if (parameter.name != outer->getName()) continue;
+    uint64_t elements = parameter.dims.empty() ? 0 : 1;
+    for (uint64_t size : parameter.dims) elements *= size;
+    auto ports = middle_.directives.ports.find(caller->first);
+    if (elements == 0 && ports != middle_.directives.ports.end())
+      for (const PortDirective& entry : ports->second)
+        if (entry.port == parameter.name) elements = entry.directive.integer("depth", elements);
+    return elements;
+  }
+  return 0;
 }
 
 bool ProcessBuilder::has_only_constant_zero_accesses(Value& pointer, uint64_t bytes) {

@@ -1,4 +1,6 @@
 #include "design/process_builder.h"
+#include "middle/primitives.h"
+#include "middle/source_location.h"
 
 namespace hlsc {
 
@@ -14,8 +16,17 @@ Region ProcessBuilder::build_region(const std::vector<Process>& processes) {
       throw CompileError(
           info_->location,
           "array '" + channel.name + "' is written by a process and read by none; remove it or read it");
+  for (const RegionStream& stream : region.streams) check_ends(stream);
   region.head.streams.clear();  // They pass the head by.
   return region;
+}
+
+void ProcessBuilder::check_ends(const RegionStream& stream) const {
+  if (stream.argument >= 0 || (stream.writer >= 0 && stream.reader >= 0)) return;
+  throw CompileError(stream.location, "stream '" + stream.name + "' is " +
+                                          (stream.writer < 0 ? "read here but no process writes it"
+                                                             : "written here but no process reads it") +
+                                          "; every stream of a dataflow function needs both");
 }
 
 int ProcessBuilder::process_called(const CallInst& call) const {
@@ -31,8 +42,8 @@ void ProcessBuilder::build_instance(CallInst& call, int index) {
   instance.process = index;
   instance.name = names_.unique(process.name);
   for (const Stream& stream : process.streams) instance.streams.push_back(region_stream(call, stream));
-  for (const ScalarPort& port : process.scalars)
-    instance.scalars.push_back(region_scalar(call, port, instance.name));
+  for (size_t i = 0; i < process.scalars.size(); ++i)
+    instance.scalars.push_back(region_scalar(call, process, i, instance.name));
   for (const Memory& memory : process.memories) {
     if (memory.kind != MemoryKind::kPort) continue;
     if (!memory.is_read && !memory.is_written) continue;
@@ -42,9 +53,22 @@ void ProcessBuilder::build_instance(CallInst& call, int index) {
       instance.channels.push_back(channel_port(call, array, memory));
       continue;
     }
-    instance.memories.push_back({memory.name, objects_[argument].argument});
+    instance.memories.push_back(memory_tie(call, *argument, memory));
   }
   region_->instances.push_back(instance);
+}
+
+MemoryTie ProcessBuilder::memory_tie(CallInst& call, Argument& argument, const Memory& memory) {
+  const MemoryObject& object = objects_[&argument];
+  MemoryTie tie{memory.name, object.name, object.argument};
+  for (size_t leaf = 0; leaf < object.leaves.size() && !memory.is_aggregate; ++leaf)
+    if (object.leaves[leaf].byte_offset == memory.byte_offset) tie.outside = object.leaf_names[leaf];
+  for (const Instance& other : region_->instances)
+    for (const MemoryTie& taken : other.memories)
+      if (taken.outside == tie.outside)
+        refuse(call, "array '" + object.name +
+                         "' is used by two processes; let the first pass it on in a local array");
+  return tie;
 }
 
 ChannelPort ProcessBuilder::channel_port(CallInst& call, Value* array, const Memory& memory) {
@@ -92,6 +116,7 @@ int ProcessBuilder::region_stream(CallInst& call, const Stream& port) {
       region_streams_.emplace(std::make_pair(base, offset.getZExtValue()), region_->streams.size());
   if (is_new) region_->streams.push_back(new_region_stream(base, offset.getZExtValue(), port.width));
   RegionStream& stream = region_->streams[known->second];
+  if (is_new) stream.location = nearest_location(call);
   int& end = port.is_input ? stream.reader : stream.writer;
   if (end >= 0)
     refuse(call, "stream '" + stream.name + "' has two " + (port.is_input ? "readers" : "writers") +
@@ -117,13 +142,32 @@ RegionStream ProcessBuilder::new_region_stream(Value* base, uint64_t offset, uns
   return stream;
 }
 
-int ProcessBuilder::region_scalar(CallInst& call, const ScalarPort& port, const std::string& instance) {
+std::pair<Value*, uint64_t> ProcessBuilder::local_scalar(Value* actual, const ScalarPort& port) {
+  while (actual && isa<CastInst>(actual)) actual = cast<CastInst>(actual)->getOperand(0);
+  auto* load = dyn_cast_or_null<CallInst>(actual);
+  bool is_loaded = load && primitive_of(*load) == Primitive::kLoad;
+  Value* pointer = is_loaded ? load->getArgOperand(0) : actual;
+  if (!pointer || !pointer->getType()->isPointerTy()) return {nullptr, 0};
+  APInt offset(64, is_loaded ? 0 : port.byte_offset);
+  Value* base = pointer->stripAndAccumulateConstantOffsets(layout_, offset, true);
+  return {isa<AllocaInst>(base) ? base : nullptr, offset.getZExtValue()};
+}
+
+int ProcessBuilder::region_scalar(CallInst& call, const Process& process, int index,
+                                  const std::string& instance) {
+  const ScalarPort& port = process.scalars[index];
   Value* actual = port.llvm_argument >= 0 ? call.getArgOperand(port.llvm_argument) : nullptr;
+  int self = region_->instances.size();
+  auto local = local_scalar(actual, port);
   if (port.is_output) {
+    if (local.first) {
+      region_scalar_writers_[local] = {self, index};
+      return -1;
+    }
     auto* argument = dyn_cast_or_null<Argument>(actual);
     if (!argument || !objects_.count(argument))
-      refuse(call, "process '" + instance + "' writes '" + port.name +
-                       "', which is no parameter of the dataflow function; use an hls::stream for it");
+      refuse(call, "process '" + instance + "' gives '" + port.name +
+                       "' back, which no other process takes; let it write a parameter or an hls::stream");
     MemoryObject& object = objects_[argument];
     for (size_t leaf = 0; leaf < object.leaves.size(); ++leaf)
       if (object.leaves[leaf].byte_offset == port.byte_offset) {
@@ -132,6 +176,14 @@ int ProcessBuilder::region_scalar(CallInst& call, const ScalarPort& port, const 
       }
     refuse(call,
            "process '" + instance + "' writes a part of '" + port.name + "'; use an hls::stream for it");
+  }
+  if (auto writer = region_scalar_writers_.find(local);
+      local.first && writer != region_scalar_writers_.end()) {
+    const auto& [from, output] = writer->second;
+    const ScalarPort& source = (*region_processes_)[region_->instances[from].process].scalars[output];
+    region_->scalars.push_back({names_.unique(object_name(local.first), "scalar"), source.width,
+                                source.is_signed, from, self, output, index});
+    return -1;
   }
   ScalarPort output = port;
   output.name = names_.unique(instance + "_" + port.name);

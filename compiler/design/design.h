@@ -185,14 +185,21 @@ struct ChannelPort {
   unsigned address_width = 0;  ///< Of the instance's port.
 };
 
+/// Ties a memory port of an instance to an array outside the top.
+struct MemoryTie {
+  std::string memory;   ///< The instance's port.
+  std::string outside;  ///< The top's.
+  int argument = -1;    ///< The top's parameter.
+};
+
 /// One call in a dataflow region: which signals of the region its ports are tied to.
 struct Instance {
   int process = 0;  ///< Index in the list of processes the region was built with.
   std::string name;
   std::vector<int> streams;  ///< By the process' stream: index in Region::streams.
-  std::vector<int> scalars;  ///< By the process' scalar: index in Region::head.scalars.
-  std::vector<std::pair<std::string, int>>
-      memories;  ///< Memory ports by name, with the top's parameter behind them.
+  std::vector<int>
+      scalars;  ///< By the process' scalar: index in Region::head.scalars; -1: Region::scalars tie it.
+  std::vector<MemoryTie> memories;
   std::vector<ChannelPort> channels;
 };
 
@@ -204,6 +211,7 @@ struct RegionStream {
   int argument = -1;             ///< Parameter of the top; -1: local.
   int index = -1;                ///< In an array of streams.
   int writer = -1, reader = -1;  ///< Instances.
+  SourceLocation location;       ///< Of the first call that takes it.
 };
 
 /// An array between two instances: two banks, the writer fills one while the reader takes the other.
@@ -214,6 +222,15 @@ struct RegionChannel {
   std::map<uint64_t, unsigned> member_widths;  ///< Byte offset of a member in an element -> bits.
 };
 
+/// A scalar that one instance sets for another: it passes on when the writer's run ends.
+struct RegionScalar {
+  std::string name;
+  unsigned width = 0;
+  bool is_signed = false;
+  int writer = -1, reader = -1;  ///< Instances.
+  int output = -1, input = -1;   ///< Scalar ports of their processes.
+};
+
 /// A dataflow region. `head` computes at the start of a run the scalars that the instances take (outputs of
 /// the head with `instance` >= 0); a FIFO of starts before each instance lets runs overlap.
 struct Region {
@@ -221,6 +238,7 @@ struct Region {
   std::vector<Instance> instances;
   std::vector<RegionStream> streams;
   std::vector<RegionChannel> channels;
+  std::vector<RegionScalar> scalars;
 };
 
 /// Bits that address `depth` words, at least 1.

@@ -66,6 +66,13 @@ class ProcessBuilder {
     uint64_t banks = 1;
   };
 
+  /// A stream that an access goes to when `condition` holds; kNoValue: always. A subscript that is known only
+  /// at run time leads to one place per element.
+  struct StreamPlace {
+    int stream;
+    ValueId condition;
+  };
+
   // Blocks and control flow (build.cpp)
   [[noreturn]] void refuse(const llvm::Instruction& instruction, const std::string& sentence);
   void build_block(llvm::BasicBlock& block);
@@ -88,7 +95,9 @@ class ProcessBuilder {
   void add_parameter_object(llvm::Argument& argument, const Parameter& parameter, int index);
   bool is_aggregated(llvm::Argument& argument);
   bool is_stored_to(llvm::Argument& argument);
-  uint64_t port_depth(const std::string& name);
+  /// Elements of an array outside whose type does not tell: from INTERFACE depth, or the callers' arrays.
+  uint64_t port_depth(llvm::Argument& argument, const Parameter& parameter);
+  uint64_t elements_behind(llvm::Value* actual, uint64_t bytes);
   /// A pointer to one object: only its first element is touched.
   bool has_only_constant_zero_accesses(llvm::Value& pointer, uint64_t bytes);
   /// Which leaves of scalar ports are read and which written; both makes a register that starts from the
@@ -165,8 +174,23 @@ class ProcessBuilder {
   static CompareKind compare_kind(llvm::CmpInst::Predicate predicate);
   ValueId predicate_of(llvm::Value* predicate);
   ValueId translated_call(llvm::CallInst& call);
-  int stream_of(llvm::CallInst& call, bool is_input, unsigned width);
+  /// Why a call that is neither inlined nor a primitive has no hardware form.
+  static std::string reason_against(const llvm::CallInst& call);
   void refine(ValueId id, llvm::Instruction& instruction);
+
+  // Stream accesses (build_streams.cpp)
+  ValueId read_stream(llvm::CallInst& call);
+  void write_stream(llvm::CallInst& call);
+  ValueId stream_status(llvm::CallInst& call);
+  /// The access' own predicate and the place's condition.
+  ValueId predicate_at(llvm::Value* predicate, const StreamPlace& place, llvm::CallInst& call);
+  /// All streams that an access may go to; notes the direction of each.
+  std::vector<StreamPlace> stream_places(llvm::CallInst& call, bool is_input, unsigned width);
+  void find_streams(llvm::Value* pointer, ValueId condition, llvm::CallInst& call,
+                    std::vector<StreamPlace>& places);
+  /// Whether the scaled subscripts add up to `rest` bytes; kNoValue when they never do.
+  ValueId subscripts_lead_to(const llvm::MapVector<llvm::Value*, llvm::APInt>& terms, const llvm::APInt& rest,
+                             llvm::CallInst& call);
 
   // LLVM intrinsics as operations (build_intrinsics.cpp)
   ValueId translated_intrinsic(llvm::IntrinsicInst& call);
@@ -179,17 +203,23 @@ class ProcessBuilder {
 
   // Dataflow regions (build_region.cpp)
   int process_called(const llvm::CallInst& call) const;
+  /// Refuses a local stream without writer or reader.
+  void check_ends(const RegionStream& stream) const;
   void build_instance(llvm::CallInst& call, int index);
+  MemoryTie memory_tie(llvm::CallInst& call, llvm::Argument& argument, const Memory& memory);
   ChannelPort channel_port(llvm::CallInst& call, llvm::Value* array, const Memory& memory);
   RegionChannel new_channel(llvm::CallInst& call, llvm::Value* array);
   int region_stream(llvm::CallInst& call, const Stream& port);
   RegionStream new_region_stream(llvm::Value* base, uint64_t offset, unsigned width);
   /// What feeds a scalar port of an instance: an output of the head, or for the instance's own outputs a port
   /// of the top.
-  int region_scalar(llvm::CallInst& call, const ScalarPort& port, const std::string& instance);
+  int region_scalar(llvm::CallInst& call, const Process& process, int index, const std::string& instance);
+  /// The place in a local variable that an actual argument is, or was loaded from; null when there is none.
+  std::pair<llvm::Value*, uint64_t> local_scalar(llvm::Value* actual, const ScalarPort& port);
   /// The scalar at `port.byte_offset` behind a pointer that an instance takes.
   ValueId pointed_scalar(llvm::CallInst& call, llvm::Value* pointer, const ScalarPort& port);
 
+  const Program& program_;
   const MiddleResult& middle_;
   llvm::Function& function_;
   const llvm::DataLayout& layout_;
@@ -204,6 +234,8 @@ class ProcessBuilder {
   const std::vector<Process>* region_processes_ = nullptr;
   std::map<std::pair<llvm::Value*, uint64_t>, int> region_streams_;
   std::map<llvm::Value*, int> region_channels_;
+  /// Local scalars that an instance has set: that instance and its port.
+  std::map<std::pair<llvm::Value*, uint64_t>, std::pair<int, int>> region_scalar_writers_;
   Process process_;
   NameTable names_;
   int current_block_ = 0;

@@ -14,6 +14,7 @@
 #include <llvm/Linker/Linker.h>
 #include <llvm/Support/Path.h>
 
+#include "frontend/constant_calls.h"
 #include "frontend/language_checks.h"
 #include "frontend/pragma_handler.h"
 
@@ -132,9 +133,14 @@ class ProgramReader : public clang::ASTConsumer, public clang::RecursiveASTVisit
 
   bool shouldVisitTemplateInstantiations() const { return true; }
 
+  void Initialize(clang::ASTContext& context) override { context_ = &context; }
+  bool HandleTopLevelDecl(clang::DeclGroupRef declarations) override {
+    if (!context_->getDiagnostics().hasErrorOccurred()) fold_constant_calls(*context_, declarations);
+    return true;
+  }
+
   void HandleTranslationUnit(clang::ASTContext& context) override {
     if (context.getDiagnostics().hasErrorOccurred()) return;
-    context_ = &context;
     mangler_.reset(context.createMangleContext());
     TraverseDecl(context.getTranslationUnitDecl());
     check_language(context);
@@ -212,10 +218,10 @@ std::vector<std::string> clang_arguments(const FrontendOptions& options, const s
   if (is_c) compiler.resize(compiler.rfind("++"));
   std::vector<std::string> arguments = {compiler};
   arguments.push_back("-std=" + (options.standard.empty() ? (is_c ? "c17" : "c++17") : options.standard));
-  for (const char* fixed : {"-c", "-O2", "-g", "-gcolumn-info", "-fno-exceptions", "-fno-rtti",
-                            "-fno-threadsafe-statics", "-fno-discard-value-names", "-fno-vectorize",
-                            "-fno-builtin", "-Wno-unknown-pragmas", "-Wno-unused-value", "-Wno-everything",
-                            "-Werror=return-type", "-fwrapv", "-D__SYNTHESIS__", "-D__FLOORLINE_HLSC__"})
+  for (const char* fixed :
+       {"-c", "-O2", "-g", "-gcolumn-info", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics",
+        "-fno-discard-value-names", "-fno-vectorize", "-Wno-unknown-pragmas", "-Wno-unused-value",
+        "-Wno-everything", "-Werror=return-type", "-fwrapv", "-D__SYNTHESIS__", "-D__FLOORLINE_HLSC__"})
     arguments.push_back(fixed);
   for (const std::string& define : options.defines) arguments.push_back("-D" + define);
   arguments.push_back("-isystem" HLSC_INCLUDE_DIR);

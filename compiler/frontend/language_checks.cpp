@@ -4,6 +4,9 @@
 #include <clang/AST/RecursiveASTVisitor.h>
 #include <clang/Basic/SourceManager.h>
 
+#include <set>
+#include <string>
+
 #include "frontend/pragma_handler.h"
 
 namespace hlsc {
@@ -37,6 +40,28 @@ class LanguageChecker : public clang::RecursiveASTVisitor<LanguageChecker> {
              "'" + name.str() + "' needs a heap, which hardware lacks; use an array of fixed size");
     return true;
   }
+  bool VisitParmVarDecl(clang::ParmVarDecl* parameter) {
+    const clang::CXXRecordDecl* record = parameter->getType()->getAsCXXRecordDecl();
+    if (record && record->getQualifiedNameAsString() == "hls::stream")
+      refuse(parameter->getLocation(),
+             "stream '" + parameter->getNameAsString() +
+                 "' is passed by value, but cannot be copied; pass it by reference");
+    return true;
+  }
+  bool VisitVarDecl(clang::VarDecl* variable) {
+    static const std::set<std::string> kHeapTypes = {
+        "std::vector",        "std::deque",         "std::list",
+        "std::map",           "std::set",           "std::queue",
+        "std::stack",         "std::unordered_map", "std::unique_ptr",
+        "std::shared_ptr",    "std::function",      "std::multimap",
+        "std::unordered_set", "std::basic_string",  "std::__cxx11::basic_string"};
+    const clang::CXXRecordDecl* record = variable->getType()->getAsCXXRecordDecl();
+    std::string name = record ? record->getQualifiedNameAsString() : "";
+    if (variable->isLocalVarDeclOrParm() && kHeapTypes.count(name) && !is_in_main(variable))
+      refuse(variable->getLocation(), "'" + variable->getType().getAsString() +
+                                          "' needs a heap, which hardware lacks; use an array of fixed size");
+    return true;
+  }
   bool VisitForStmt(clang::ForStmt* loop) { return check_body(loop->getBody()); }
   bool VisitWhileStmt(clang::WhileStmt* loop) { return check_body(loop->getBody()); }
   bool VisitDoStmt(clang::DoStmt* loop) { return check_body(loop->getBody()); }
@@ -54,6 +79,11 @@ class LanguageChecker : public clang::RecursiveASTVisitor<LanguageChecker> {
              "the pragma stands between a statement and its body; put braces around the body and the pragma "
              "inside");
     return true;
+  }
+
+  static bool is_in_main(const clang::VarDecl* variable) {
+    const auto* function = llvm::dyn_cast<clang::FunctionDecl>(variable->getDeclContext());
+    return function && function->isMain();
   }
 
   void refuse(clang::SourceLocation where, const std::string& sentence) {

@@ -52,7 +52,7 @@ class HlsPragmaHandler : public clang::PragmaHandler {
       const clang::Token& token = line[end];
       bool opens = token.isOneOf(clang::tok::l_paren, clang::tok::l_square);
       bool closes = token.isOneOf(clang::tok::r_paren, clang::tok::r_square);
-      bool is_operand = token.isAnyIdentifier() || token.isLiteral() || token.is(clang::tok::kw_return);
+      bool is_operand = token.getIdentifierInfo() || token.isLiteral();  // Keywords, too: `port=in register`.
       if (open == 0 && operand_done && (is_operand || token.is(clang::tok::comma))) break;
       open += opens - closes;
       operand_done = is_operand || closes;

@@ -22,6 +22,20 @@ const std::set<std::string> kObjectKinds = {
     "AGGREGATE",       "DISAGGREGATE",  "BIND_OP",      "DATA_PACK", "ARRAY_MAP", "FUNCTION_INSTANTIATE",
     "STABLE",          "RESET",         "SHARED"};
 
+/// Accepted, because they change neither results nor handshakes, but without effect.
+const std::set<std::string> kIgnoredKinds = {"ALLOCATION",
+                                             "ARRAY_MAP",
+                                             "EXPRESSION_BALANCE",
+                                             "FUNCTION_INSTANTIATE",
+                                             "LATENCY",
+                                             "LOOP_MERGE",
+                                             "OCCURRENCE",
+                                             "PROTOCOL",
+                                             "RESET",
+                                             "SHARED",
+                                             "TOP",
+                                             "PERFORMANCE"};
+
 struct Marker {
   CallInst* call;
   Directive directive;
@@ -94,7 +108,7 @@ void attach_to_loop(Loop& loop, const Directive& directive) {
   if (!unrolls_inside) return;
   for (Loop* inner : loop.getLoopsInPreorder())
     if (inner != &loop && !loop_directive(*inner, "UNROLL"))
-      attach_to_loop(*inner, parse_directive("UNROLL"));
+      attach_to_loop(*inner, parse_directive("UNROLL implied"));
 }
 
 void attach_to_function(Function& function, LoopInfo& loops, const Directive& directive) {
@@ -102,7 +116,7 @@ void attach_to_function(Function& function, LoopInfo& loops, const Directive& di
   function.addFnAttr(name, to_text(directive));
   if (directive.kind != "PIPELINE" || directive.has("off")) return;
   for (Loop* loop : loops.getLoopsInPreorder())
-    if (!loop_directive(*loop, "UNROLL")) attach_to_loop(*loop, parse_directive("UNROLL"));
+    if (!loop_directive(*loop, "UNROLL")) attach_to_loop(*loop, parse_directive("UNROLL implied"));
 }
 
 /// The pointer behind references that are kept in memory.
@@ -143,6 +157,19 @@ ObjectDirective object_directive(const Marker& marker) {
   made.bytes = layout.getTypeAllocSize(type);
   for (; isa<ArrayType>(type); type = type->getArrayElementType()) ++made.dims;
   return made;
+}
+
+/// Why a directive does nothing for a local object; empty when it does.
+std::string misuse_of(const std::string& kind, Value* object, Function& function) {
+  auto* local = dyn_cast<AllocaInst>(object);
+  if (!local) return "";
+  Type* type = local->getAllocatedType();
+  if (StringRef(kind).starts_with("ARRAY_") && type->isIntegerTy()) return "is no array";
+  bool is_stream =
+      isa<StructType>(type) || (type->isArrayTy() && isa<StructType>(type->getArrayElementType()));
+  if (kind == "STREAM" && !is_stream && !function_directive(function, "DATAFLOW"))
+    return "is no stream; declare it as hls::stream";
+  return "";
 }
 
 /// Refuses numbers that mean nothing.
@@ -188,6 +215,11 @@ void resolve_loop_directives(Module& module, DirectiveTable& table, Diagnostics&
         marker.call->eraseFromParent();
         continue;
       }
+      if (kIgnoredKinds.count(kind)) {
+        diagnostics.warn(where, "pragma '" + kind + "' has no effect here; results are the same without it");
+        marker.call->eraseFromParent();
+        continue;
+      }
       if (marker.variable) {
         if (kObjectKinds.count(kind)) continue;
         diagnostics.warn(where, "pragma '" + kind + "' is not known and has no effect");
@@ -209,10 +241,15 @@ void resolve_loop_directives(Module& module, DirectiveTable& table, Diagnostics&
   }
 }
 
-void resolve_object_directives(Module& module, DirectiveTable& table, Diagnostics&) {
+void resolve_object_directives(Module& module, DirectiveTable& table, Diagnostics& diagnostics) {
   for (Function& function : module) {
     for (Marker& marker : markers_of(function)) {
-      table.objects.push_back(object_directive(marker));
+      ObjectDirective made = object_directive(marker);
+      std::string misuse = misuse_of(made.directive.kind, made.object, function);
+      if (!misuse.empty())
+        diagnostics.warn(made.location, "pragma '" + made.directive.kind + "' has no effect: '" +
+                                            marker.variable_name + "' " + misuse);
+      table.objects.push_back(made);
       marker.call->eraseFromParent();
     }
   }

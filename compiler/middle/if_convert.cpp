@@ -157,10 +157,15 @@ class IfConverter {
   }
 
   void move(Instruction& instruction, Value* predicate) {
+    auto* constant = dyn_cast<ConstantInt>(predicate);
+    bool always = constant && constant->isOne();
+    if (isa<AssumeInst>(instruction) && !always) {
+      instruction.eraseFromParent();  // What holds on one path does not hold on all.
+      return;
+    }
     instruction.moveBefore(*merged_, merged_->end());
     builder_.SetInsertPoint(merged_);
-    auto* constant = dyn_cast<ConstantInt>(predicate);
-    if (constant && constant->isOne()) return;
+    if (always) return;
     if (auto* call = dyn_cast<CallInst>(&instruction); call && primitive_of(*call) != Primitive::kNone)
       predicate_call(*call, predicate);
     else if (instruction.getOpcode() == Instruction::UDiv || instruction.getOpcode() == Instruction::SDiv ||

@@ -25,16 +25,29 @@ uint64_t leaf_count(Type* type) {
   return 1;
 }
 
-/// The type of the object a pointer points to, as far as its origin tells; null when unknown.
-Type* pointee_type(Value* pointer) {
+/// The type of one element behind a parameter of a process, when it is a scalar.
+Type* parameter_type(const Program* program, const Argument& argument) {
+  if (!program) return nullptr;
+  auto known = program->functions.find(argument.getParent()->getName().str());
+  if (known == program->functions.end()) return nullptr;
+  for (const Parameter& parameter : known->second.parameters)
+    if (argument.getName() == parameter.name && parameter.layout.leaves.size() == 1)
+      return Type::getIntNTy(argument.getContext(), parameter.layout.leaves[0].bytes * 8);
+  return nullptr;
+}
+
+/// The type of the object a pointer points to, as far as its origin tells; null when unknown. `program` is
+/// there once pointers lead to parameters.
+Type* pointee_type(const Program* program, Value* pointer) {
   if (auto* alloca = dyn_cast<AllocaInst>(pointer)) return alloca->getAllocatedType();
   if (auto* global = dyn_cast<GlobalVariable>(pointer)) return global->getValueType();
   if (auto* gep = dyn_cast<GEPOperator>(pointer)) return gep->getResultElementType();
-  if (auto* select = dyn_cast<SelectInst>(pointer)) return pointee_type(select->getTrueValue());
-  if (auto* phi = dyn_cast<PHINode>(pointer)) return pointee_type(phi->getIncomingValue(0));
+  if (auto* select = dyn_cast<SelectInst>(pointer)) return pointee_type(program, select->getTrueValue());
+  if (auto* phi = dyn_cast<PHINode>(pointer)) return pointee_type(program, phi->getIncomingValue(0));
   if (auto* argument = dyn_cast<Argument>(pointer)) {
     if (Type* type = argument->getParamByValType()) return type;
-    return argument->getParamStructRetType();
+    if (Type* type = argument->getParamStructRetType()) return type;
+    return parameter_type(program, *argument);
   }
   return nullptr;
 }
@@ -46,9 +59,10 @@ bool is_without_padding(Type* type, uint64_t size, uint64_t bytes) {
 
 /// A type of `bytes`, but for padding, from either pointer; an array's element type repeated when a part of
 /// it is meant.
-Type* copied_type(const DataLayout& layout, ArrayRef<Value*> pointers, uint64_t bytes) {
+Type* copied_type(const Program* program, const DataLayout& layout, ArrayRef<Value*> pointers,
+                  uint64_t bytes) {
   for (Value* pointer : pointers) {
-    for (Type* type = pointer ? pointee_type(pointer) : nullptr; type && type->isSized();) {
+    for (Type* type = pointer ? pointee_type(program, pointer) : nullptr; type && type->isSized();) {
       uint64_t size = layout.getTypeAllocSize(type);
       if (size == bytes || is_without_padding(type, size, bytes)) return type;
       auto* array = dyn_cast<ArrayType>(type);
@@ -60,7 +74,8 @@ Type* copied_type(const DataLayout& layout, ArrayRef<Value*> pointers, uint64_t 
         type = array->getElementType();
       } else if (structure && size > bytes && structure->getNumElements()) {
         type = structure->getElementType(0);
-      } else if (!array && !structure && size && bytes % size == 0 && isa<GEPOperator>(pointer)) {
+      } else if (!array && !structure && size && bytes % size == 0 &&
+                 (isa<GEPOperator>(pointer) || isa<Argument>(pointer))) {
         return ArrayType::get(type, bytes / size);  // &a[i], then several elements.
       } else {
         break;
@@ -72,36 +87,43 @@ Type* copied_type(const DataLayout& layout, ArrayRef<Value*> pointers, uint64_t 
   return is_integer ? Type::getIntNTy(context, bytes * 8) : nullptr;
 }
 
-/// Calls `body(builder, offset in bytes, leaf type)` for each leaf of `type`; the offset is an i64 value.
+/// A place in an object: constant bytes and subscripts of the copy's loops with the bytes of a step.
+struct Place {
+  uint64_t bytes = 0;
+  std::vector<std::pair<Value*, uint64_t>> subscripts;
+};
+
+/// Calls `body(builder, place, leaf type)` for each leaf of `type`.
 class LeafWalk {
  public:
-  using Body = std::function<void(IRBuilder<>&, Value*, Type*)>;
+  using Body = std::function<void(IRBuilder<>&, const Place&, Type*)>;
   LeafWalk(const DataLayout& layout, Body body) : layout_(layout), body_(std::move(body)) {}
 
   /// Emits code before `at`, which stays the point after the walk.
-  void walk(Type* type, Value* offset, Instruction* at) {
-    IRBuilder<> builder(at);
+  void walk(Type* type, const Place& place, Instruction* at) {
     if (auto* structure = dyn_cast<StructType>(type)) {
-      for (unsigned i = 0; i < structure->getNumElements(); ++i) {
-        uint64_t member = layout_.getStructLayout(structure)->getElementOffset(i);
-        builder.SetInsertPoint(at);
-        walk(structure->getElementType(i), builder.CreateAdd(offset, builder.getInt64(member)), at);
-      }
+      for (unsigned i = 0; i < structure->getNumElements(); ++i)
+        walk(structure->getElementType(i),
+             moved(place, layout_.getStructLayout(structure)->getElementOffset(i)), at);
     } else if (auto* array = dyn_cast<ArrayType>(type)) {
-      walk_array(array, offset, at);
+      walk_array(array, place, at);
     } else {
-      body_(builder, offset, type);
+      IRBuilder<> builder(at);
+      body_(builder, place, type);
     }
   }
 
  private:
-  void walk_array(ArrayType* array, Value* offset, Instruction* at) {
+  static Place moved(Place place, uint64_t bytes) {
+    place.bytes += bytes;
+    return place;
+  }
+
+  void walk_array(ArrayType* array, const Place& place, Instruction* at) {
     uint64_t stride = layout_.getTypeAllocSize(array->getElementType());
     if (leaf_count(array) <= kUnrolledLeaves) {
-      for (uint64_t i = 0; i < array->getNumElements(); ++i) {
-        IRBuilder<> builder(at);
-        walk(array->getElementType(), builder.CreateAdd(offset, builder.getInt64(i * stride)), at);
-      }
+      for (uint64_t i = 0; i < array->getNumElements(); ++i)
+        walk(array->getElementType(), moved(place, i * stride), at);
       return;
     }
     BasicBlock* before = at->getParent();
@@ -112,11 +134,12 @@ class LeafWalk {
     builder.SetCurrentDebugLocation(at->getDebugLoc());
     PHINode* index = builder.CreatePHI(builder.getInt64Ty(), 2, "copy_index");
     index->addIncoming(builder.getInt64(0), before);
-    Value* element_offset = builder.CreateAdd(offset, builder.CreateMul(index, builder.getInt64(stride)));
+    Place element = place;
+    element.subscripts.push_back({index, stride});
     Value* next = builder.CreateNUWAdd(index, builder.getInt64(1));
     Value* more = builder.CreateICmpULT(next, builder.getInt64(array->getNumElements()));
     BranchInst* latch = builder.CreateCondBr(more, loop, after);
-    walk(array->getElementType(), element_offset, latch);
+    walk(array->getElementType(), element, latch);
     index->addIncoming(next, latch->getParent());
   }
 
@@ -124,14 +147,17 @@ class LeafWalk {
   Body body_;
 };
 
-Value* at_offset(IRBuilder<>& builder, Value* base, Value* offset) {
-  if (auto* constant = dyn_cast<ConstantInt>(offset); constant && constant->isZero()) return base;
-  return builder.CreateInBoundsGEP(builder.getInt8Ty(), base, offset);
+Value* address_of(IRBuilder<>& builder, Value* base, const Place& place) {
+  for (auto [subscript, stride] : place.subscripts)
+    base = builder.CreateInBoundsGEP(ArrayType::get(builder.getInt8Ty(), stride), base, subscript);
+  return place.bytes ? builder.CreateConstInBoundsGEP1_64(builder.getInt8Ty(), base, place.bytes) : base;
 }
 
-void expand(MemIntrinsic& call) {
+/// Returns false, or throws when `program` is there, for copies that it cannot expand.
+bool expand(const Program* program, MemIntrinsic& call) {
   const DataLayout& layout = call.getDataLayout();
   auto* length = dyn_cast<ConstantInt>(call.getLength());
+  if (!length && !program) return false;
   if (!length)
     throw CompileError(nearest_location(call),
                        "the size of a memory copy must be a constant; write a loop over the elements");
@@ -139,18 +165,19 @@ void expand(MemIntrinsic& call) {
   auto* transfer = dyn_cast<MemTransferInst>(&call);
   Value* source = transfer ? transfer->getRawSource() : nullptr;
   uint64_t bytes = length->getZExtValue();
-  if (bytes == 0) return;
-  Type* type = source ? copied_type(layout, {target, source}, bytes) : copied_type(layout, {target}, bytes);
+  if (bytes == 0) return true;
+  Type* type = source ? copied_type(program, layout, {target, source}, bytes)
+                      : copied_type(program, layout, {target}, bytes);
+  if (!type && !program) return false;
   if (!type)
     throw CompileError(
         nearest_location(call),
         "cannot tell the type of the memory that is copied here; write a loop over the elements");
-  LeafWalk walk(layout, [&](IRBuilder<>& builder, Value* offset, Type* leaf) {
-    auto* place = dyn_cast<ConstantInt>(offset);
-    if (place && place->getZExtValue() + layout.getTypeStoreSize(leaf) > bytes) return;  // Padding.
+  LeafWalk walk(layout, [&](IRBuilder<>& builder, const Place& place, Type* leaf) {
+    if (place.bytes + layout.getTypeStoreSize(leaf) > bytes) return;  // Padding.
     Value* value;
     if (source) {
-      value = builder.CreateAlignedLoad(leaf, at_offset(builder, source, offset), Align(1));
+      value = builder.CreateAlignedLoad(leaf, address_of(builder, source, place), Align(1));
     } else {
       auto* fill = dyn_cast<ConstantInt>(cast<MemSetInst>(call).getValue());
       if (!fill)
@@ -159,22 +186,25 @@ void expand(MemIntrinsic& call) {
       value =
           ConstantInt::get(call.getContext(), APInt::getSplat(leaf->getIntegerBitWidth(), fill->getValue()));
     }
-    builder.CreateAlignedStore(value, at_offset(builder, target, offset), Align(1));
+    builder.CreateAlignedStore(value, address_of(builder, target, place), Align(1));
   });
-  walk.walk(type, ConstantInt::get(Type::getInt64Ty(call.getContext()), 0), &call);
+  walk.walk(type, {}, &call);
+  return true;
 }
 
-}  // namespace
-
-void expand_memory_copies(Module& module) {
+void expand_all(Module& module, const Program* program) {
   std::vector<MemIntrinsic*> calls;
   for (Function& function : module)
     for (Instruction& instruction : instructions(function))
       if (auto* call = dyn_cast<MemIntrinsic>(&instruction)) calls.push_back(call);
-  for (MemIntrinsic* call : calls) {
-    expand(*call);
-    call->eraseFromParent();
-  }
+  for (MemIntrinsic* call : calls)
+    if (expand(program, *call)) call->eraseFromParent();
 }
+
+}  // namespace
+
+void expand_memory_copies(Module& module) { expand_all(module, nullptr); }
+
+void expand_remaining_copies(const Program& program) { expand_all(*program.module, &program); }
 
 }  // namespace hlsc

@@ -30,12 +30,15 @@
 #include <llvm/Transforms/Utils/LoopSimplify.h>
 
 #include "middle/array_access.h"
+#include "middle/dataflow_regions.h"
+#include "middle/host_calls.h"
 #include "middle/if_convert.h"
 #include "middle/llvm_headers.h"
 #include "middle/memory_copies.h"
 #include "middle/pointer_choices.h"
 #include "middle/primitives.h"
 #include "middle/source_location.h"
+#include "middle/static_objects.h"
 #include "middle/stream_lowering.h"
 
 namespace hlsc {
@@ -64,6 +67,21 @@ class Optimizer {
     passes.addPass(AlwaysInlinerPass(/*InsertLifetime=*/false));
     passes.addPass(GlobalDCEPass());
     passes.run(module_, module_analyses_);
+  }
+
+  /// Unrolls what asks for it in a DATAFLOW function, before its calls and locals become hardware.
+  void unroll_region(Function& region) {
+    FunctionPassManager passes;
+    passes.addPass(SROAPass(SROAOptions::ModifyCFG));
+    passes.addPass(EarlyCSEPass());
+    passes.addPass(createFunctionToLoopPassAdaptor(LoopRotatePass(/*EnableHeaderDuplication=*/true)));
+    passes.addPass(LoopUnrollPass(LoopUnrollOptions(/*OptLevel=*/2, /*OnlyWhenForced=*/true)));
+    passes.addPass(SCCPPass());
+    passes.addPass(EarlyCSEPass());
+    passes.addPass(SimplifyCFGPass(cfg_options()));
+    function_analyses_.clear();
+    passes.run(region, function_analyses_);
+    function_analyses_.clear();
   }
 
   /// Locals to SSA values; keeps the addresses of arrays as Clang wrote them.
@@ -229,16 +247,46 @@ void mark_for_inlining(Module& module, const std::vector<std::string>& processes
     if (is_process) function.setLinkage(GlobalValue::ExternalLinkage);
   }
   for (GlobalVariable& global : module.globals())
-    if (!global.isDeclaration()) {
+    if (!global.isDeclaration() && !global.hasAppendingLinkage()) {  // llvm.global_ctors keeps its own.
       global.setComdat(nullptr);
       global.setLinkage(GlobalValue::InternalLinkage);
     }
+}
+
+/// Unrolls the DATAFLOW functions' loops and separates their objects.
+void prepare_regions(const Program& program, Optimizer& optimizer) {
+  // LLVM unrolls no loop with a call that could be inlined; mark_for_inlining decides anew.
+  for (Function& function : *program.module) function.addFnAttr(Attribute::NoInline);
+  for (Function& function : *program.module) {
+    if (function.isDeclaration() || !function_directive(function, "DATAFLOW")) continue;
+    optimizer.unroll_region(function);
+    separate_region_objects(program, function);
+  }
 }
 
 /// Innermost loops that run as pipelines: all but those with `PIPELINE off`.
 bool is_pipelined(const Loop& loop) {
   std::optional<Directive> directive = loop_directive(loop, "PIPELINE");
   return loop.isInnermost() && !(directive && directive->has("off"));
+}
+
+/// Complains of loops that were to dissolve and did not, because their trip count is not known.
+void check_unrolled(Function& function, Diagnostics& diagnostics) {
+  DominatorTree dominators(function);
+  LoopInfo loops(dominators);
+  for (Loop* loop : loops.getLoopsInPreorder()) {
+    std::optional<Directive> unroll = loop_directive(*loop, "UNROLL");
+    if (!unroll || unroll->has("factor")) continue;
+    SourceLocation where =
+        loop->getStartLoc() ? location_of(loop->getStartLoc()) : nearest_location(loop->getHeader()->front());
+    if (!unroll->has("implied"))
+      throw CompileError(where,
+                         "the loop cannot be unrolled because its trip count is not known; give UNROLL "
+                         "a factor, or the loop a constant bound");
+    diagnostics.warn(where,
+                     "this loop in a pipeline is not unrolled because its trip count is not known; it is "
+                     "pipelined itself");
+  }
 }
 
 void convert_loops(Function& function, Optimizer& optimizer) {
@@ -263,19 +311,23 @@ void convert_loops(Function& function, Optimizer& optimizer) {
 MiddleResult run_middle(Program& program, Diagnostics& diagnostics) {
   Module& module = *program.module;
   MiddleResult result;
+  remove_host_calls(module, diagnostics);
   resolve_loop_directives(module, result.directives, diagnostics);
   expand_memory_copies(module);
   lower_streams(module, program.stream_types);
   result.processes = find_processes(program);
-  mark_for_inlining(module, result.processes);
-
   Optimizer optimizer(module);
+  prepare_regions(program, optimizer);
+  mark_for_inlining(module, result.processes);
   evaluate_constant_calls(module);
   optimizer.drop_unused();
   refuse_recursion(module);
   optimizer.inline_all();
   optimizer.promote_locals();
+  expand_remaining_copies(program);
   resolve_object_directives(module, result.directives, diagnostics);
+  construct_static_objects(module);
+  optimizer.functions().clear();  // Copies and constructors changed the control flow.
   for (Function& function : module) resolve_pointer_choices(function);
   optimizer.promote_locals();
   separate_subscripts(module, result.directives);
@@ -284,6 +336,7 @@ MiddleResult run_middle(Program& program, Diagnostics& diagnostics) {
     resolve_pointer_choices(function);
     accesses_to_primitives(function);
   }
+  for (const std::string& name : result.processes) check_unrolled(*module.getFunction(name), diagnostics);
   for (const std::string& name : result.processes) convert_loops(*module.getFunction(name), optimizer);
   optimizer.functions().clear();
   optimizer.clean_flat_code();

@@ -47,6 +47,7 @@ class BlockScheduler {
     add_data_dependences();
     add_memory_dependences();
     add_stream_dependences();
+    add_status_dependences();
     add_exit_dependences();
     problem_.limits.assign(resources_.count(), 1);
   }
@@ -248,6 +249,20 @@ class BlockScheduler {
     }
     if (block_.is_loop)
       for (const auto& [stream, pair] : ends) order(pair.second, pair.first, 1, 1);
+  }
+
+  /// What empty() or full() told holds until the access behind it: no other access may come between.
+  void add_status_dependences() {
+    for (size_t i = 0; i < block_.operations.size(); ++i) {
+      const Operation& status = process_[block_.operations[i]];
+      if (status.kind != OpKind::kEmpty && status.kind != OpKind::kFull) continue;
+      for (size_t k = 0; k < block_.operations.size(); ++k) {
+        const Operation& access = process_[block_.operations[k]];
+        if (!access.is_stream_access() || access.object != status.object) continue;
+        i < k ? order(i, k, 0, 0) : order(k, i, 0, 1);
+        if (block_.is_loop) order(k, i, 1, 1);
+      }
+    }
   }
 
   /// The next iteration may act only when this one is known not to leave the loop.

@@ -9,9 +9,38 @@
 
 namespace hlsc {
 
+namespace {
+
+const std::set<std::string> kModes = {"axis",         "ap_fifo",    "ap_none",      "ap_vld",
+                                      "ap_memory",    "bram",       "s_axilite",    "ap_stable",
+                                      "ap_ctrl_none", "ap_ctrl_hs", "ap_ctrl_chain"};
+
+/// Refuses modes that do not exist or that no port is built for.
+void check_mode(const PortDirective& entry) {
+  static const std::set<std::string> kFlags = {"register", "both", "forward", "reverse", "off"};
+  static const std::map<std::string, std::string> kNotBuilt = {
+      {"m_axi", "hls::stream with axis, or an array with ap_memory"},
+      {"ap_hs", "hls::stream with ap_fifo or axis"},
+      {"ap_ack", "hls::stream with ap_fifo or axis"},
+      {"ap_ovld", "ap_vld"},
+      {"ap_bus", "an array with ap_memory"}};
+  std::string mode = entry.directive.text("mode");
+  for (const auto& [key, value] : entry.directive.options)
+    if (mode.empty() && value.empty() && !kFlags.count(key)) mode = key;
+  if (auto refused = kNotBuilt.find(mode); refused != kNotBuilt.end())
+    throw CompileError(entry.location, "INTERFACE mode '" + mode + "' is not built; use " + refused->second);
+  if (mode.empty() || kModes.count(mode)) return;
+  std::string known;
+  for (const std::string& name : kModes) known += (known.empty() ? "" : ", ") + name;
+  throw CompileError(entry.location, "INTERFACE mode '" + mode + "' does not exist; use one of " + known);
+}
+
+}  // namespace
+
 PortModes PortModes::from(const std::vector<PortDirective>& directives) {
   PortModes modes;
   for (const PortDirective& entry : directives) {
+    check_mode(entry);
     Directive& merged = modes.by_port[entry.port.empty() ? "return" : entry.port];
     for (const auto& [key, value] : entry.directive.options) merged.options[key] = value;
   }
@@ -22,8 +51,7 @@ std::string PortModes::mode(const std::string& port) const {
   auto found = by_port.find(port);
   if (found == by_port.end()) return "";
   if (found->second.has("mode")) return found->second.text("mode");
-  for (const char* name : {"axis", "ap_fifo", "ap_none", "ap_vld", "ap_memory", "bram", "s_axilite", "m_axi",
-                           "ap_ctrl_none", "ap_ctrl_hs", "ap_ctrl_chain"})
+  for (const std::string& name : kModes)
     if (found->second.has(name)) return name;
   return "";
 }
@@ -78,11 +106,13 @@ class TopWriter {
         add_fifo(stream);
     }
     for (const RegionChannel& channel : region.channels) add_channel(channel);
+    for (const RegionScalar& scalar : region.scalars) declare_region_scalar(scalar);
     for (const ScalarPort& scalar : region.head.scalars)
       if (scalar.instance < 0) add_scalar(scalar);
     add_head(region);
     size_t count = region.instances.size();
     for (size_t i = 0; i < count; ++i) add_instance(region, i, *processes[region.instances[i].process]);
+    for (const RegionScalar& scalar : region.scalars) add_region_scalar(region, scalar);
     add_run_control(count);
     return finished();
   }
@@ -266,14 +296,66 @@ class TopWriter {
 
   // --- Scalars and memories ---
 
+  void declare_region_scalar(const RegionScalar& scalar) {
+    const std::string& name = scalar.name;
+    body_ << "\n    // " << name << ": set by one process, taken by another\n    wire"
+          << range_text(scalar.width) << " " << name << "_set, " << name << ";\n    wire " << name
+          << "_free, " << name << "_ready;\n";
+  }
+
+  /// The first scalar that the same output sets: it has the wire of the instance's port.
+  static const RegionScalar& first_of(const Region& region, int writer, int output) {
+    return *std::find_if(region.scalars.begin(), region.scalars.end(), [&](const RegionScalar& scalar) {
+      return scalar.writer == writer && scalar.output == output;
+    });
+  }
+
+  /// A scalar from instance to instance waits in a FIFO from the end of the writer's run to that of the
+  /// reader's.
+  void add_region_scalar(const Region& region, const RegionScalar& scalar) {
+    const std::string& name = scalar.name;
+    const RegionScalar& first = first_of(region, scalar.writer, scalar.output);
+    if (first.name != name) body_ << "    assign " << name << "_set = " << first.name << "_set;\n";
+    fifo(name + "_runs", scalar.width, 4,
+         {name + "_set", region.instances[scalar.writer].name + "_done", name + "_free"},
+         {name, name + "_ready", region.instances[scalar.reader].name + "_done"});
+  }
+
+  /// Ports of an instance that scalars between instances are tied to; `gate` gets their conditions to start.
+  static std::string region_scalar_ports(const Region& region, int index, const Process& process,
+                                         std::string& gate) {
+    std::string text;
+    for (const RegionScalar& scalar : region.scalars) {
+      if (scalar.writer == index) gate += " & " + scalar.name + "_free";
+      if (scalar.reader != index) continue;
+      gate += " & " + scalar.name + "_ready";
+      const ScalarPort& port = process.scalars[scalar.input];
+      text += ",\n        ." + port.name + "(" +
+              resized_text(scalar.name, scalar.width, scalar.is_signed, port.width) + ")";
+    }
+    for (size_t i = 0; i < process.scalars.size(); ++i) {
+      const ScalarPort& port = process.scalars[i];
+      if (!port.is_output || region.instances[index].scalars[i] >= 0) continue;
+      std::string wire;
+      bool is_taken =
+          std::any_of(region.scalars.begin(), region.scalars.end(), [&](const RegionScalar& scalar) {
+            return scalar.writer == index && scalar.output == static_cast<int>(i);
+          });
+      if (is_taken) wire = first_of(region, index, i).name + "_set";
+      text += ",\n        ." + port.name + "(" + wire + ")";
+      if (port.has_valid()) text += ",\n        ." + port.name + "_ap_vld()";
+    }
+    return text;
+  }
+
   void add_scalar(const ScalarPort& scalar) {
     port(scalar.is_output ? "output" : "input", scalar.width, scalar.name);
     if (scalar.has_valid()) port("output", 1, scalar.name + "_ap_vld");
     interface_.scalars.push_back(scalar);
   }
 
-  /// `owners` renames the parameter of a memory: from an instance's own to the top's.
-  void add_memories(const Process& process, const std::vector<std::pair<std::string, int>>& owners) {
+  /// `ties` name the memories of an instance as the top does.
+  void add_memories(const Process& process, const std::vector<MemoryTie>& ties) {
     for (const Memory& memory : process.memories) {
       if (memory.kind != MemoryKind::kPort || (!memory.is_read && !memory.is_written)) continue;
       if (tied_.count(memory.name)) continue;
@@ -282,8 +364,11 @@ class TopWriter {
       outside.width = memory.width;
       outside.depth = memory.depth;
       outside.argument = memory.argument;
-      for (const auto& [name, argument] : owners)
-        if (name == memory.name) outside.argument = argument;
+      for (const MemoryTie& tie : ties)
+        if (tie.memory == memory.name) {
+          outside.argument = tie.argument;
+          outside.name = tie.outside;
+        }
       const Parameter& parameter = top_.parameters[outside.argument];
       outside.stride = parameter.layout.bytes;
       for (const Leaf& leaf : parameter.layout.leaves)
@@ -293,16 +378,16 @@ class TopWriter {
       unsigned address = address_bits(memory.depth);
       std::string number = "0";
       if (memory.is_read) {
-        port("output", address, outside.read_address = memory.name + "_address0");
-        port("output", 1, outside.read_enable = memory.name + "_ce0");
-        port("input", memory.width, outside.read_data = memory.name + "_q0");
+        port("output", address, outside.read_address = outside.name + "_address0");
+        port("output", 1, outside.read_enable = outside.name + "_ce0");
+        port("input", memory.width, outside.read_data = outside.name + "_q0");
         number = "1";
       }
       if (memory.is_written) {
-        port("output", address, outside.write_address = memory.name + "_address" + number);
-        port("output", 1, memory.name + "_ce" + number);
-        port("output", 1, outside.write_enable = memory.name + "_we" + number);
-        port("output", memory.width, outside.write_data = memory.name + "_d" + number);
+        port("output", address, outside.write_address = outside.name + "_address" + number);
+        port("output", 1, outside.name + "_ce" + number);
+        port("output", 1, outside.write_enable = outside.name + "_we" + number);
+        port("output", memory.width, outside.write_data = outside.name + "_d" + number);
       }
       interface_.memories.push_back(outside);
     }
@@ -340,6 +425,14 @@ class TopWriter {
           names.push_back(memory.name + suffix + number);
     }
     return names;
+  }
+
+  /// The top's name of an instance's memory port: NAME_address0 and so on.
+  static std::string outside_port(const Instance& instance, const std::string& port) {
+    size_t suffix = port.rfind('_');
+    for (const MemoryTie& tie : instance.memories)
+      if (tie.memory == port.substr(0, suffix)) return tie.outside + port.substr(suffix);
+    return port;
   }
 
   // --- A dataflow region ---
@@ -384,7 +477,7 @@ class TopWriter {
     std::set<int> driven;
     for (const Instance& instance : region.instances)
       for (int scalar : instance.scalars)
-        if (region.head.scalars[scalar].instance < 0) driven.insert(scalar);
+        if (scalar >= 0 && region.head.scalars[scalar].instance < 0) driven.insert(scalar);
     return driven;
   }
 
@@ -394,7 +487,7 @@ class TopWriter {
     std::vector<std::string> inputs;
     unsigned width = 0;
     for (size_t i = 0; i < process.scalars.size(); ++i) {
-      if (process.scalars[i].is_output) continue;
+      if (process.scalars[i].is_output || instance.scalars[i] < 0) continue;
       inputs.push_back(region.head.scalars[instance.scalars[i]].name);
       width += process.scalars[i].width;
     }
@@ -415,18 +508,20 @@ class TopWriter {
     tied_.clear();
     for (const ChannelPort& tie : instance.channels) tied_.insert(tie.memory);
     std::string gate = start, ends;
-    std::string channel_ports = channel_connections(region, instance, index, gate, ends);
+    std::string tied_ports = channel_connections(region, instance, index, gate, ends) +
+                             region_scalar_ports(region, index, process, gate);
     body_ << ends << "    " << process.name << " " << name
           << " (\n        .clk(ap_clk),\n        .rst(rst),\n";
     body_ << "        .ap_start(" << gate << "),\n        .ap_continue(1'b1),\n        .ap_done(" << done
           << "),\n";
-    body_ << "        .ap_idle(),\n        .ap_ready()" << channel_ports;
+    body_ << "        .ap_idle(),\n        .ap_ready()" << tied_ports;
     for (size_t i = 0; i < process.streams.size(); ++i)
       for (const char* suffix : suffixes(process.streams[i].is_input))
         body_ << ",\n        ." << process.streams[i].name << suffix << "("
               << region.streams[instance.streams[i]].name << suffix << ")";
     unsigned low = 0;
     for (size_t i = 0; i < process.scalars.size(); ++i) {
+      if (instance.scalars[i] < 0) continue;
       const ScalarPort& scalar = process.scalars[i];
       const std::string& outside = region.head.scalars[instance.scalars[i]].name;
       if (scalar.is_output) {
@@ -443,7 +538,7 @@ class TopWriter {
     }
     add_memories(process, instance.memories);
     for (const std::string& memory_port : memory_ports_of(process))
-      body_ << ",\n        ." << memory_port << "(" << memory_port << ")";
+      body_ << ",\n        ." << memory_port << "(" << outside_port(instance, memory_port) << ")";
     body_ << "\n    );\n";
     dones_.push_back(done);
     frees_.push_back(ready);

@@ -2,4 +2,4 @@ int inline_assembly(int x) {
   asm volatile("nop");
   return x;
 }
-// error: 2:3: the call of 'a function pointer' cannot be inlined; give the function's source among the files
+// error: 2:3: inline assembly has no hardware form; write it in C++

@@ -8,4 +8,4 @@ static int sum(int n, ...) {
   return s;
 }
 int variadic_call(int a, int b) { return sum(2, a, b); }
-// error: 10:42: the call of '_ZL3sumiz' cannot be inlined; give the function's source among the files
+// error: 10:42: the call of 'sum(int, ...)' cannot be inlined; give the function's source among the files

@@ -6,3 +6,4 @@ int pragma_stream_of_array(int a) {
   for (int i = 0; i < 4; ++i) b[i] = a + i;
   return b[a & 3];
 }
+// warning: 5:9: pragma 'STREAM' has no effect: 'b' is no stream; declare it as hls::stream

@@ -12,3 +12,4 @@ void dataflow_code_between(hls::stream<int>& out, int n, int& seen) {
   seen = n * 3;
   consume(s, out);
 }
+// error: 12:8: 'seen' is written between the processes of a dataflow function; write it in a process

@@ -6,3 +6,4 @@ int pragma_unroll_runtime_bound(const int a[64], int n) {
   }
   return sum;
 }
+// error: 3:3: the loop cannot be unrolled because its trip count is not known; give UNROLL a factor, or the loop a constant bound

@@ -5,3 +5,4 @@ int pragma_partition_scalar(int a) {
 #pragma HLS ARRAY_PARTITION variable=b complete
   return b + 1;
 }
+// warning: 5:9: pragma 'ARRAY_PARTITION' has no effect: 'b' is no array

@@ -7,3 +7,4 @@ void stream_without_producer(hls::stream<int>& out) {
   hls::stream<int> s;
   consume(s, out);
 }
+// error: 8:3: stream 's' is read here but no process writes it; every stream of a dataflow function needs both

@@ -1,4 +1,0 @@
-int pragma_unknown_interface(int x) {
-#pragma HLS INTERFACE teleport port=x
-  return x + 1;
-}

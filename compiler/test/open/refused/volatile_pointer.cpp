@@ -1,5 +1,0 @@
-int volatile_pointer(volatile int* port) {
-  int a = *port;
-  int b = *port;
-  return a - b;
-}
