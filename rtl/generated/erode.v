@@ -25,9 +25,9 @@ module erode (
 
     localparam [2:0] S_IDLE = 3'd0;
     localparam [2:0] S_ENTRY = 3'd1;
-    localparam [2:0] S_ZN9AP_DETAIL6LARGEREII = 3'd2;
+    localparam [2:0] S_PASS = 3'd2;
     localparam [2:0] S_FOR_3 = 3'd3;
-    localparam [2:0] S_ZN9AP_DETAIL6LARGEREII_2 = 3'd4;
+    localparam [2:0] S_IF_2 = 3'd4;
     localparam [2:0] S_FOR_5 = 3'd5;
     localparam [2:0] S_DONE = 3'd6;
     reg [2:0] state;
@@ -65,7 +65,7 @@ module erode (
     // erode.h:33:7: entry
     wire [11:0] at = width + 12'd4095;
 
-    // erode.h:38:39: ZN9ap_detail6largerEii
+    // erode.h:38:39: PASS
     wire test = height == 12'd0;  // erode.h:38
 
     // erode.h:38:3: loop for_3, II = 1, 1 stage
@@ -76,7 +76,7 @@ module erode (
     wire [11:0] at_5 = at_2 + {11'd0, test_2};  // raster.h:21
     wire test_3 = at_5 < height;  // erode.h:38
 
-    // window.h:38:8: ZN9ap_detail6largerEii_2
+    // window.h:38:8: if_2
     wire [12:0] sum_2 = {1'd0, height} + 13'd1;
     wire test_4 = at_q == 12'd0;
 
@@ -178,12 +178,12 @@ module erode (
             end
             S_ENTRY: if (~stall) begin
                 if (erode_high) begin
-                    state <= S_ZN9AP_DETAIL6LARGEREII_2;
+                    state <= S_IF_2;
                 end else begin
-                    state <= S_ZN9AP_DETAIL6LARGEREII;
+                    state <= S_PASS;
                 end
             end
-            S_ZN9AP_DETAIL6LARGEREII: if (~stall) begin
+            S_PASS: if (~stall) begin
                 if (test) begin
                     state <= S_DONE;
                 end else begin
@@ -196,7 +196,7 @@ module erode (
             S_FOR_3: if (for_3_active & for_3_ce & ~test_3) begin
                 state <= S_DONE;
             end
-            S_ZN9AP_DETAIL6LARGEREII_2: if (~stall) begin
+            S_IF_2: if (~stall) begin
                 state <= S_FOR_5;
                 for_5_active[0] <= 1'b1;
                 at_6 <= 12'd0;
@@ -219,8 +219,8 @@ module erode (
 
     always @(posedge clk) begin
         if ((state == S_ENTRY) & ~stall) at_q <= at;
-        if ((state == S_ZN9AP_DETAIL6LARGEREII_2) & ~stall) sum_2_q <= sum_2;
-        if ((state == S_ZN9AP_DETAIL6LARGEREII_2) & ~stall) test_4_q <= test_4;
+        if ((state == S_IF_2) & ~stall) sum_2_q <= sum_2;
+        if ((state == S_IF_2) & ~stall) test_4_q <= test_4;
         if (for_5_front_ce) begin
             test_7_s1 <= test_7;
             either_s1 <= either;

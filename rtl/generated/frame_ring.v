@@ -37,13 +37,13 @@ module frame_ring (
     localparam [3:0] S_IDLE = 4'd0;
     localparam [3:0] S_ENTRY = 4'd1;
     localparam [3:0] S_LOR = 4'd2;
-    localparam [3:0] S_ZN11AP_INT_BASEILI1ELB0EEC2IIVEERKT = 4'd3;
-    localparam [3:0] S_IF_2 = 4'd4;
+    localparam [3:0] S_IF_2 = 4'd3;
+    localparam [3:0] S_IF_3 = 4'd4;
     localparam [3:0] S_FOR_2 = 4'd5;
     localparam [3:0] S_FOR_3 = 4'd6;
     localparam [3:0] S_FOR_5 = 4'd7;
-    localparam [3:0] S_IF_3 = 4'd8;
-    localparam [3:0] S_IF_4 = 4'd9;
+    localparam [3:0] S_IF_4 = 4'd8;
+    localparam [3:0] S_IF_5 = 4'd9;
     localparam [3:0] S_DONE = 4'd10;
     reg [3:0] state;
 
@@ -141,9 +141,9 @@ module frame_ring (
     reg both_32_s5;
     reg both_32_s6;
     reg [15:0] either_4_s6;
-    reg [32:0] chosen_35_s4;
-    reg [32:0] chosen_35_s5;
-    reg [32:0] chosen_35_s6;
+    reg [32:0] chosen_34_s4;
+    reg [32:0] chosen_34_s5;
+    reg [32:0] chosen_34_s6;
     reg [32:0] either_7_s7;
     reg differs_10_s4;
     reg [23:0] sum_17_s5;
@@ -198,9 +198,9 @@ module frame_ring (
     wire [11:0] reference_height_data = reference_height;  // frame_ring.h:102
     wire test_2 = height == reference_height_data;  // frame_ring.h:102
 
-    // frame_ring.h:102:77: ZN11ap_int_baseILi1ELb0EEC2IivEERKT
+    // frame_ring.h:102:77: if_2
 
-    // frame_ring.h:103:19: if_2
+    // frame_ring.h:103:19: if_3
     wire [11:0] base_data = base;  // frame_ring.h:105
     wire [12:0] row = {1'd0, base_data} + {1'd0, height};  // frame_ring.h:105
     wire test_3 = row > 13'd511;  // banks.h:15
@@ -364,43 +364,43 @@ module frame_ring (
     wire test_24 = both_29 == 1'd0;  // frame_ring.h:138
     wire [1:0] both_30 = sum_3[1:0] & 2'd2;  // frame_ring.h:138
     wire test_25 = both_30_s3 == 2'd0;  // frame_ring.h:138
-    wire [7:0] chosen_24 = test_25_s5 ? chosen_20 : chosen_21;  // banks.h:52
-    wire [7:0] chosen_25 = test_25_s5 ? chosen_22 : chosen_23;  // banks.h:53
-    wire [7:0] chosen_26 = test_24_s5 ? chosen_24 : chosen_25;  // banks.h:54
+    wire [7:0] cell_2 = test_25_s5 ? chosen_20 : chosen_21;  // banks.h:52
+    wire [7:0] chosen_24 = test_25_s5 ? chosen_22 : chosen_23;  // banks.h:53
+    wire [7:0] chosen_25 = test_24_s5 ? cell_2 : chosen_24;  // banks.h:54
     wire both_31 = chosen_16 & differs_5_s4;  // frame_ring.h:72
-    wire test_26 = chosen_20 < chosen_26;  // frame_ring.h:61
-    wire [7:0] chosen_27 = test_26 ? chosen_20 : chosen_26;  // frame_ring.h:61
-    wire [7:0] pair = both_31_s5 ? chosen_27 : chosen_26;  // frame_ring.h:61
-    wire test_27 = chosen_20 > chosen_26;  // frame_ring.h:62
-    wire [7:0] chosen_28 = test_27 ? chosen_20 : chosen_26;  // frame_ring.h:62
-    wire [7:0] pair_2 = both_31_s5 ? chosen_28 : chosen_26;  // frame_ring.h:62
+    wire test_26 = chosen_20 < chosen_25;  // frame_ring.h:61
+    wire [7:0] chosen_26 = test_26 ? chosen_20 : chosen_25;  // frame_ring.h:61
+    wire [7:0] pair = both_31_s5 ? chosen_26 : chosen_25;  // frame_ring.h:61
+    wire test_27 = chosen_20 > chosen_25;  // frame_ring.h:62
+    wire [7:0] chosen_27 = test_27 ? chosen_20 : chosen_25;  // frame_ring.h:62
+    wire [7:0] pair_2 = both_31_s5 ? chosen_27 : chosen_25;  // frame_ring.h:62
     wire test_28 = chosen_21 < pair;  // frame_ring.h:61
-    wire [7:0] chosen_29 = test_28_s6 ? chosen_21_s6 : pair_s6;  // frame_ring.h:61
-    wire [7:0] pair_3 = brmerge_3_s6 ? chosen_29 : pair_s6;  // frame_ring.h:61
+    wire [7:0] chosen_28 = test_28_s6 ? chosen_21_s6 : pair_s6;  // frame_ring.h:61
+    wire [7:0] pair_3 = brmerge_3_s6 ? chosen_28 : pair_s6;  // frame_ring.h:61
     wire test_29 = chosen_21 > pair_2;  // frame_ring.h:62
-    wire [7:0] chosen_30 = test_29_s6 ? chosen_21_s6 : pair_2_s6;  // frame_ring.h:62
-    wire [7:0] pair_4 = brmerge_3_s6 ? chosen_30 : pair_2_s6;  // frame_ring.h:62
+    wire [7:0] chosen_29 = test_29_s6 ? chosen_21_s6 : pair_2_s6;  // frame_ring.h:62
+    wire [7:0] pair_4 = brmerge_3_s6 ? chosen_29 : pair_2_s6;  // frame_ring.h:62
     wire both_32 = chosen_17 & differs_5_s4;  // frame_ring.h:74
     wire test_30 = chosen_22_s6 < pair_3;  // frame_ring.h:61
-    wire [7:0] chosen_31 = test_30 ? chosen_22_s6 : pair_3;  // frame_ring.h:61
-    wire [7:0] pair_5 = both_32_s6 ? chosen_31 : pair_3;  // frame_ring.h:61
+    wire [7:0] chosen_30 = test_30 ? chosen_22_s6 : pair_3;  // frame_ring.h:61
+    wire [7:0] pair_5 = both_32_s6 ? chosen_30 : pair_3;  // frame_ring.h:61
     wire test_31 = chosen_22_s6 > pair_4;  // frame_ring.h:62
-    wire [7:0] chosen_32 = test_31 ? chosen_22_s6 : pair_4;  // frame_ring.h:62
-    wire [7:0] pair_6 = both_32_s6 ? chosen_32 : pair_4;  // frame_ring.h:62
+    wire [7:0] chosen_31 = test_31 ? chosen_22_s6 : pair_4;  // frame_ring.h:62
+    wire [7:0] pair_6 = both_32_s6 ? chosen_31 : pair_4;  // frame_ring.h:62
     wire test_32 = chosen_23_s6 < pair_5;  // frame_ring.h:61
-    wire [7:0] chosen_33 = test_32 ? chosen_23_s6 : pair_5;  // frame_ring.h:61
-    wire [7:0] pair_7 = brmerge_5_s6 ? chosen_33 : pair_5;  // frame_ring.h:61
+    wire [7:0] chosen_32 = test_32 ? chosen_23_s6 : pair_5;  // frame_ring.h:61
+    wire [7:0] pair_7 = brmerge_5_s6 ? chosen_32 : pair_5;  // frame_ring.h:61
     wire test_33 = chosen_23_s6 > pair_6;  // frame_ring.h:62
-    wire [7:0] chosen_34 = test_33 ? chosen_23_s6 : pair_6;  // frame_ring.h:62
-    wire [7:0] pair_8 = brmerge_5_s6 ? chosen_34 : pair_6;  // frame_ring.h:62
-    wire [15:0] shifted_20 = {chosen_26, 8'd0};  // frame_ring.h:139
+    wire [7:0] chosen_33 = test_33 ? chosen_23_s6 : pair_6;  // frame_ring.h:62
+    wire [7:0] pair_8 = brmerge_5_s6 ? chosen_33 : pair_6;  // frame_ring.h:62
+    wire [15:0] shifted_20 = {chosen_25, 8'd0};  // frame_ring.h:139
     wire [15:0] either_4 = shifted_20 | {8'd0, in_data_s5};  // frame_ring.h:139
     wire [23:0] shifted_21 = {pair_7, 16'd0};  // frame_ring.h:139
     wire [23:0] either_5 = {8'd0, either_4_s6} | shifted_21;  // frame_ring.h:139
     wire [31:0] shifted_22 = {pair_8, 24'd0};  // frame_ring.h:139
     wire [31:0] either_6 = {8'd0, either_5} | shifted_22;  // frame_ring.h:139
-    wire [32:0] chosen_35 = both_24 ? 33'h100000000 : 33'd0;  // frame_ring.h:139
-    wire [32:0] either_7 = {1'd0, either_6} | chosen_35_s6;  // frame_ring.h:139
+    wire [32:0] chosen_34 = both_24 ? 33'h100000000 : 33'd0;  // frame_ring.h:139
+    wire [32:0] either_7 = {1'd0, either_6} | chosen_34_s6;  // frame_ring.h:139
     wire differs_10 = ~both_24;  // frame_ring.h:140
     wire [23:0] sum_17 = null_count + {23'd0, differs_10_s4};  // frame_ring.h:140
     wire [10:0] shifted_23 = write_row_2[11:1];  // banks.h:88
@@ -424,22 +424,22 @@ module frame_ring (
     wire both_40 = value_74 & both_35;  // banks.h:94
     wire both_41 = replace_reference & both_40;  // banks.h:93
     wire test_38 = at_3 == at_q;  // raster.h:18
-    wire [31:0] chosen_36 = test_38 ? homography_xv_V : homography_xu_V;  // raster.h:42
-    wire [31:0] chosen_37 = test_38 ? x_walk_2 : x_walk_3;  // raster.h:42
-    wire [31:0] sum_19 = chosen_37 + chosen_36;  // raster.h:42
+    wire [31:0] chosen_35 = test_38 ? homography_xv_V : homography_xu_V;  // raster.h:42
+    wire [31:0] chosen_36 = test_38 ? x_walk_2 : x_walk_3;  // raster.h:42
+    wire [31:0] sum_19 = chosen_36 + chosen_35;  // raster.h:42
     wire [31:0] x_walk_4 = test_38 ? sum_19 : x_walk_2;  // raster.h:43
-    wire [31:0] chosen_38 = test_38 ? homography_yv_V : homography_yu_V;  // raster.h:43
+    wire [31:0] chosen_37 = test_38 ? homography_yv_V : homography_yu_V;  // raster.h:43
     wire [31:0] y_walk_4 = test_38 ? y_walk_3 : y_walk_2;  // raster.h:43
-    wire [31:0] sum_20 = y_walk_4 + chosen_38;  // raster.h:42
+    wire [31:0] sum_20 = y_walk_4 + chosen_37;  // raster.h:42
     wire [31:0] y_walk_5 = test_38 ? sum_20 : y_walk_3;  // raster.h:43
-    wire [31:0] chosen_39 = test_38 ? homography_zv_V : homography_zu_V;  // raster.h:43
+    wire [31:0] chosen_38 = test_38 ? homography_zv_V : homography_zu_V;  // raster.h:43
     wire [31:0] z_walk_4 = test_38 ? z_walk_3 : z_walk_2;  // raster.h:43
-    wire [31:0] sum_21 = z_walk_4 + chosen_39;  // raster.h:42
+    wire [31:0] sum_21 = z_walk_4 + chosen_38;  // raster.h:42
     wire test_39 = write_row_2 == 12'd511;  // raster.h:43
     wire [11:0] sum_22 = write_row_2 + 12'd1;  // raster.h:43
-    wire [11:0] chosen_40 = test_39 ? 12'd0 : sum_22;  // raster.h:43
+    wire [11:0] chosen_39 = test_39 ? 12'd0 : sum_22;  // raster.h:43
     wire [31:0] z_walk_5 = test_38 ? sum_21 : z_walk_3;  // raster.h:43
-    wire [11:0] write_row_3 = test_38 ? chosen_40 : write_row_2;  // raster.h:43
+    wire [11:0] write_row_3 = test_38 ? chosen_39 : write_row_2;  // raster.h:43
     wire [11:0] sum_23 = at_3 + 12'd1;  // raster.h:21
     wire [11:0] at_4 = test_38 ? 12'd0 : sum_23;  // raster.h:21
     wire [11:0] at_5 = at_2 + {11'd0, test_38};  // raster.h:21
@@ -447,9 +447,9 @@ module frame_ring (
 
     // frame_ring.h:151:7: for_5
 
-    // frame_ring.h:152:10: if_3
+    // frame_ring.h:152:10: if_4
 
-    // frame_ring.h:155:15: if_4
+    // frame_ring.h:155:15: if_5
 
     // memory reference_width: 1 x 12
 
@@ -469,7 +469,7 @@ module frame_ring (
 
     // memory odd_odd: 81920 x 8
 
-    assign stall = ((state == S_IF_4) & ~null_pixels_full_n);
+    assign stall = ((state == S_IF_5) & ~null_pixels_full_n);
     assign for_3_ce = ~((for_3_active[7] & ~out_full_n));
     assign for_3_front_ce = for_3_ce & ~((for_3_active[0] & ~in_empty_n));
 
@@ -669,7 +669,7 @@ module frame_ring (
     assign in_read = (for_3_active[0] & for_3_front_ce);
     assign out_write = (for_3_active[7] & for_3_ce);
     assign out_din = either_7_s7;
-    assign null_pixels_write = ((state == S_IF_4) & ~stall);
+    assign null_pixels_write = ((state == S_IF_5) & ~stall);
     assign null_pixels_din = null_count_2;
 
     assign ap_idle = (state == S_IDLE);
@@ -707,20 +707,20 @@ module frame_ring (
                 if (test) begin
                     state <= S_LOR;
                 end else begin
-                    state <= S_ZN11AP_INT_BASEILI1ELB0EEC2IIVEERKT;
+                    state <= S_IF_2;
                 end
             end
             S_LOR: if (~stall) begin
                 if (test_2) begin
-                    state <= S_IF_2;
+                    state <= S_IF_3;
                 end else begin
-                    state <= S_ZN11AP_INT_BASEILI1ELB0EEC2IIVEERKT;
+                    state <= S_IF_2;
                 end
             end
-            S_ZN11AP_INT_BASEILI1ELB0EEC2IIVEERKT: if (~stall) begin
-                state <= S_IF_2;
-            end
             S_IF_2: if (~stall) begin
+                state <= S_IF_3;
+            end
+            S_IF_3: if (~stall) begin
                 if (test_4) begin
                     state <= S_FOR_5;
                     null_count_2 <= 24'd0;
@@ -748,15 +748,15 @@ module frame_ring (
             end
             S_FOR_5: if (~stall) begin
                 if (replace_reference) begin
-                    state <= S_IF_3;
-                end else begin
                     state <= S_IF_4;
+                end else begin
+                    state <= S_IF_5;
                 end
             end
-            S_IF_3: if (~stall) begin
-                state <= S_IF_4;
-            end
             S_IF_4: if (~stall) begin
+                state <= S_IF_5;
+            end
+            S_IF_5: if (~stall) begin
                 state <= S_DONE;
             end
             S_DONE: if (ap_continue) state <= S_IDLE;
@@ -769,14 +769,14 @@ module frame_ring (
     end
 
     always @(posedge clk) begin
-        if ((state == S_IF_2) & ~stall) reference_width <= width;
-        if ((state == S_IF_2) & ~stall) reference_height <= height;
-        if ((state == S_ZN11AP_INT_BASEILI1ELB0EEC2IIVEERKT) & ~stall) has_reference <= 1'd0;
-        if ((state == S_IF_3) & ~stall) has_reference <= 1'd1;
-        if ((state == S_IF_3) & ~stall) base <= write_row_q;
-        if ((state == S_IF_2) & ~stall) base_data_q <= base_data;
-        if ((state == S_IF_2) & ~stall) write_row_q <= write_row;
-        if ((state == S_IF_2) & ~stall) at_q <= at;
+        if ((state == S_IF_3) & ~stall) reference_width <= width;
+        if ((state == S_IF_3) & ~stall) reference_height <= height;
+        if ((state == S_IF_2) & ~stall) has_reference <= 1'd0;
+        if ((state == S_IF_4) & ~stall) has_reference <= 1'd1;
+        if ((state == S_IF_4) & ~stall) base <= write_row_q;
+        if ((state == S_IF_3) & ~stall) base_data_q <= base_data;
+        if ((state == S_IF_3) & ~stall) write_row_q <= write_row;
+        if ((state == S_IF_3) & ~stall) at_q <= at;
         if ((state == S_FOR_2) & ~stall) spare_rows_2_q <= spare_rows_2;
         if ((state == S_FOR_2) & ~stall) sum_2_q <= sum_2;
         if ((state == S_FOR_2) & ~stall) has_reference_data_q <= has_reference_data;
@@ -856,9 +856,9 @@ module frame_ring (
             both_32_s5 <= both_32;
             both_32_s6 <= both_32_s5;
             either_4_s6 <= either_4;
-            chosen_35_s4 <= chosen_35;
-            chosen_35_s5 <= chosen_35_s4;
-            chosen_35_s6 <= chosen_35_s5;
+            chosen_34_s4 <= chosen_34;
+            chosen_34_s5 <= chosen_34_s4;
+            chosen_34_s6 <= chosen_34_s5;
             either_7_s7 <= either_7;
             differs_10_s4 <= differs_10;
             sum_17_s5 <= sum_17;

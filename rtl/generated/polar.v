@@ -66,7 +66,7 @@ module polar (
     localparam [2:0] S_IDLE = 3'd0;
     localparam [2:0] S_ENTRY = 3'd1;
     localparam [2:0] S_IF_2 = 3'd2;
-    localparam [2:0] S_ZN9AP_DETAIL6LARGEREII = 3'd3;
+    localparam [2:0] S_CYCLES = 3'd3;
     localparam [2:0] S_FOR_2 = 3'd4;
     localparam [2:0] S_FOR_3 = 3'd5;
     localparam [2:0] S_DONE = 3'd6;
@@ -159,29 +159,29 @@ module polar (
     reg both_31_s3;
     reg test_25_s2;
     reg test_25_s3;
-    reg [11:0] chosen_17_s2;
-    reg [11:0] chosen_17_s3;
+    reg [11:0] chosen_18_s2;
+    reg [11:0] chosen_18_s3;
     reg [11:0] sum_18_s2;
     reg [11:0] sum_18_s3;
     reg both_37_s2;
     reg both_37_s3;
-    reg [1:0] chosen_19_s4;
+    reg [1:0] chosen_20_s4;
     reg [11:0] next_2_s4;
     reg [11:0] difference_5_s4;
-    reg [11:0] chosen_20_s1;
-    reg [11:0] chosen_20_s2;
-    reg [11:0] chosen_20_s3;
-    reg [11:0] chosen_20_s4;
+    reg [11:0] chosen_21_s1;
+    reg [11:0] chosen_21_s2;
+    reg [11:0] chosen_21_s3;
+    reg [11:0] chosen_21_s4;
     reg brmerge_s4;
     reg [11:0] difference_6_s4;
-    reg [11:0] chosen_21_s4;
+    reg [11:0] chosen_22_s4;
     reg [12:0] value_61_s1;
     reg [12:0] value_61_s2;
     reg [12:0] value_61_s3;
     reg [12:0] value_61_s4;
     reg [13:0] product_2_s4;
     reg test_31_s4;
-    reg chosen_22_s5;
+    reg chosen_23_s5;
     reg both_46_s5;
     reg [32:0] either_12_s4;
     reg [45:0] either_14_s5;
@@ -192,10 +192,10 @@ module polar (
     reg test_32_s2;
     reg test_32_s3;
     reg [19:0] shifted_7_s4;
-    reg [20:0] chosen_26_s1;
-    reg [20:0] chosen_26_s2;
-    reg [20:0] chosen_26_s3;
-    reg [20:0] chosen_26_s4;
+    reg [20:0] chosen_27_s1;
+    reg [20:0] chosen_27_s2;
+    reg [20:0] chosen_27_s3;
+    reg [20:0] chosen_27_s4;
     reg [11:0] states_8_store_0_s4;
     reg [11:0] states_8_store_2_s4;
     reg [11:0] states_8_store_3_s4;
@@ -225,7 +225,7 @@ module polar (
 
     // polar.h:208:12: if_2
 
-    // raster.h:16:71: ZN9ap_detail6largerEii
+    // raster.h:16:71: CYCLES
     wire [11:0] sum_2 = width + 12'd4095;  // raster.h:16
     wire [9:0] at = sum_2[9:0];  // raster.h:16
     wire [9:0] sum_3 = {1'd0, walked_q} + 10'd1023;
@@ -241,40 +241,40 @@ module polar (
     wire either = differs | both_5;  // polar.h:224
     wire [1:0] pixel = both_6 ? 2'd0 : mask_data;  // polar.h:224
     wire test_7 = at_3 < 12'd2;  // polar.h:226
-    wire [1:0] right = test_7 ? 2'd0 : pixel;  // polar.h:227
-    wire [9:0] chosen = test_7 ? width[9:0] : 10'd0;  // polar.h:227
-    wire [9:0] centre = at_3[9:0] + chosen;  // polar.h:227
+    wire [1:0] chosen = test_7 ? 2'd0 : pixel;  // polar.h:227
+    wire [9:0] chosen_2 = test_7 ? width[9:0] : 10'd0;  // polar.h:227
+    wire [9:0] centre = at_3[9:0] + chosen_2;  // polar.h:227
     wire [9:0] centre_2 = centre + 10'd1022;  // polar.h:227
     wire value_9 = at_2[0];  // polar.h:228
     wire differs_2 = test_7 ^ value_9;  // polar.h:228
     wire shifted = taps_3[1];  // polar.h:229
     wire test_8 = at_3 == 12'd1;  // polar.h:100
-    wire [1:0] chosen_2 = test_8 ? 2'd0 : taps_4;  // polar.h:100
+    wire [1:0] chosen_3 = test_8 ? 2'd0 : taps_4;  // polar.h:100
     wire test_9 = at_3 == 12'd2;  // polar.h:101
     wire [1:0] left = test_9 ? 2'd0 : taps_2;  // polar.h:101
     wire [11:0] both_7 = at_3 & 12'd4094;  // polar.h:102
     wire switch = both_7 == 12'd2;  // polar.h:102
     wire [1:0] left_2 = switch ? 2'd0 : taps;  // polar.h:102
-    wire [1:0] either_2 = right | left_2;  // polar.h:103
-    wire [1:0] either_3 = either_2 | chosen_2;  // polar.h:103
+    wire [1:0] either_2 = chosen | left_2;  // polar.h:103
+    wire [1:0] either_3 = either_2 | chosen_3;  // polar.h:103
     wire [1:0] either_4 = either_3 | taps_3;  // polar.h:103
     wire [1:0] either_5 = either_4 | left;  // polar.h:103
-    wire right_2 = chosen_2[1];  // polar.h:104
-    wire [1:0] sum_4 = {1'd0, right_2} + {1'd0, shifted};  // polar.h:104
+    wire right = chosen_3[1];  // polar.h:104
+    wire [1:0] sum_4 = {1'd0, right} + {1'd0, shifted};  // polar.h:104
     wire left_3 = left[1];  // polar.h:104
     wire [1:0] sum_5 = sum_4 + {1'd0, left_3};  // polar.h:104
-    wire [1:0] chosen_3 = rule_run_rule_V ? either_5 : sum_5;  // polar.h:105
+    wire [1:0] chosen_4 = rule_run_rule_V ? either_5 : sum_5;  // polar.h:105
     wire [10:0] index = {centre_2, 1'd0};  // polar.h:231
     wire [10:0] index_2 = {10'd0, differs_2} + index;  // polar.h:231
     wire [11:0] left_columns_2_store_0 = high_before;  // polar.h:231
-    wire [1:0] left_columns_2_store_1 = chosen_3;  // polar.h:231
+    wire [1:0] left_columns_2_store_1 = chosen_4;  // polar.h:231
     wire [13:0] left_columns_2_store_word = {left_columns_2_store_1, left_columns_2_store_0};  // polar.h:231
     wire [11:0] right_columns_2_store_0 = high_before;  // polar.h:232
     wire right_columns_2_store_1 = shifted;  // polar.h:232
-    wire [1:0] right_columns_2_store_2 = chosen_3;  // polar.h:232
+    wire [1:0] right_columns_2_store_2 = chosen_4;  // polar.h:232
     wire [14:0] right_columns_2_store_word = {right_columns_2_store_2, right_columns_2_store_1, right_columns_2_store_0};  // polar.h:232
     wire [11:0] sum_6 = high_before + {11'd0, shifted};  // polar.h:233
-    wire [11:0] chosen_4 = test_8 ? 12'd0 : sum_6;  // polar.h:233
+    wire [11:0] chosen_5 = test_8 ? 12'd0 : sum_6;  // polar.h:233
     wire [11:0] sum_7 = at_2 + 12'd4095;  // polar.h:236
     wire both_8 = sum_7[0];  // polar.h:237
     wire test_10 = at_2 != 12'd0;  // polar.h:238
@@ -334,15 +334,15 @@ module polar (
     wire states_2_data = states_2_data_8_part;  // polar.h:120
     wire [11:0] sum_9 = lines_slice_V_data + {11'd0, states_2_data};  // polar.h:120
     wire [11:0] run = both_15 ? 12'd1 : sum_9;  // polar.h:120
-    wire [11:0] chosen_5 = test_12 ? lines_first_run_V_data : run;  // polar.h:121
+    wire [11:0] chosen_6 = test_12 ? lines_first_run_V_data : run;  // polar.h:121
     wire test_14 = sum_7_s1 == lines_last_row_V_data;  // polar.h:122
-    wire [11:0] run_2 = test_14 ? lines_last_run_V_data : chosen_5;  // polar.h:122
+    wire [11:0] run_2 = test_14 ? lines_last_run_V_data : chosen_6;  // polar.h:122
     wire [12:0] difference = step - {1'd0, run_2};  // polar.h:125
     wire [12:0] sum_10 = difference_s2 + 13'd1;  // polar.h:125
-    wire [12:0] chosen_6 = lines_leftward_V_data_s2 ? sum_10 : step_s2;  // polar.h:125
+    wire [12:0] chosen_7 = lines_leftward_V_data_s2 ? sum_10 : step_s2;  // polar.h:125
     wire [12:0] sum_11 = {1'd0, run_2} + step;  // polar.h:126
     wire [12:0] sum_12 = sum_11_s2 + 13'd8191;  // polar.h:126
-    wire [12:0] chosen_7 = lines_leftward_V_data_s2 ? step_s2 : sum_12;  // polar.h:126
+    wire [12:0] chosen_8 = lines_leftward_V_data_s2 ? step_s2 : sum_12;  // polar.h:126
     wire [12:0] sum_13 = {1'd0, step_2} + {1'd0, lines_remainder_V_data};  // polar.h:128
     wire test_15 = sum_13 >= {1'd0, lines_divisor_V_data};  // polar.h:129
     wire [11:0] advance = test_13_s2 ? {11'd0, test_15_s2} : run_2_s2;  // polar.h:130
@@ -351,39 +351,39 @@ module polar (
     wire [11:0] value_33 = sum_13[11:0];  // polar.h:131
     wire [11:0] value_34 = sum_13[11:0];  // polar.h:131
     wire [11:0] difference_2 = value_34 - lines_divisor_V_data;  // polar.h:131
-    wire [11:0] chosen_8 = both_22 ? value_33_s2 : difference_2_s2;  // polar.h:120
+    wire [11:0] chosen_9 = both_22 ? value_33_s2 : difference_2_s2;  // polar.h:120
     wire [12:0] difference_3 = 13'd0 - {1'd0, advance};  // polar.h:133
-    wire [12:0] chosen_9 = lines_leftward_V_data_s2 ? difference_3 : {1'd0, advance};  // polar.h:133
-    wire [12:0] sum_14 = chosen_9 + step_s2;  // polar.h:133
+    wire [12:0] chosen_10 = lines_leftward_V_data_s2 ? difference_3 : {1'd0, advance};  // polar.h:133
+    wire [12:0] sum_14 = chosen_10 + step_s2;  // polar.h:133
     wire test_16 = sum_7_s1 >= lines_first_row_V_data;  // polar.h:243
     wire test_17 = sum_7_s1 <= lines_last_row_V_data;
     wire both_24 = test_16 & test_17;  // polar.h:243
     wire both_25 = both_11_s1 & both_24;  // polar.h:120
     wire differs_6 = ~both_24;  // polar.h:120
     wire both_26 = both_11_s1 & differs_6;  // polar.h:120
-    wire test_18 = $signed(chosen_6) < $signed(13'd0);  // polar.h:139
-    wire test_19 = $signed(chosen_6) < $signed({1'd0, width});  // polar.h:139
-    wire [9:0] value_39 = chosen_6[9:0];  // polar.h:139
-    wire [9:0] chosen_10 = test_19 ? value_39 : at_q;  // polar.h:139
-    wire [9:0] chosen_11 = test_18 ? 10'd0 : chosen_10;  // polar.h:244
-    wire [10:0] index_3 = {chosen_11, 1'd0};  // polar.h:244
+    wire test_18 = $signed(chosen_7) < $signed(13'd0);  // polar.h:139
+    wire test_19 = $signed(chosen_7) < $signed({1'd0, width});  // polar.h:139
+    wire [9:0] value_39 = chosen_7[9:0];  // polar.h:139
+    wire [9:0] chosen_11 = test_19 ? value_39 : at_q;  // polar.h:139
+    wire [9:0] chosen_12 = test_18 ? 10'd0 : chosen_11;  // polar.h:244
+    wire [10:0] index_3 = {chosen_12, 1'd0};  // polar.h:244
     wire [10:0] index_4 = {10'd0, both_8_s2} + index_3;  // polar.h:244
     wire [13:0] left_columns_2_data_element = left_columns_q;  // polar.h:244
     wire [1:0] left_columns_2_data_1_above = left_columns_2_data_element[13:12];  // polar.h:244
     wire [1:0] left_columns_2_data_1_part = left_columns_2_data_1_above;  // polar.h:244
     wire [1:0] left_columns_2_data = left_columns_2_data_1_part;  // polar.h:244
-    wire test_20 = $signed(chosen_7) < $signed(13'd0);  // polar.h:139
-    wire test_21 = $signed(chosen_7) < $signed({1'd0, width});  // polar.h:139
-    wire [9:0] value_42 = chosen_7[9:0];  // polar.h:139
-    wire [9:0] chosen_12 = test_21 ? value_42 : at_q;  // polar.h:139
-    wire [9:0] chosen_13 = test_20 ? 10'd0 : chosen_12;  // polar.h:245
-    wire [10:0] index_5 = {chosen_13, 1'd0};  // polar.h:245
+    wire test_20 = $signed(chosen_8) < $signed(13'd0);  // polar.h:139
+    wire test_21 = $signed(chosen_8) < $signed({1'd0, width});  // polar.h:139
+    wire [9:0] value_42 = chosen_8[9:0];  // polar.h:139
+    wire [9:0] chosen_13 = test_21 ? value_42 : at_q;  // polar.h:139
+    wire [9:0] chosen_14 = test_20 ? 10'd0 : chosen_13;  // polar.h:245
+    wire [10:0] index_5 = {chosen_14, 1'd0};  // polar.h:245
     wire [10:0] index_6 = {10'd0, both_8_s2} + index_5;  // polar.h:245
     wire [14:0] right_columns_2_data_element = right_columns_q;  // polar.h:245
     wire [1:0] right_columns_2_data_2_above = right_columns_2_data_element[14:13];  // polar.h:245
     wire [1:0] right_columns_2_data_2_part = right_columns_2_data_2_above;  // polar.h:245
     wire [1:0] right_columns_2_data = right_columns_2_data_2_part;  // polar.h:245
-    wire test_22 = $signed(chosen_7) > $signed(13'd8191);
+    wire test_22 = $signed(chosen_8) > $signed(13'd8191);
     wire both_27 = test_19 & test_22;  // polar.h:246
     wire differs_7 = ~both_27;  // polar.h:245
     wire both_29 = both_25_s2 & differs_7;  // polar.h:245
@@ -398,44 +398,44 @@ module polar (
     wire [11:0] difference_4 = sum_15 - left_columns_0_data;  // polar.h:247
     wire [11:0] sum_16 = difference_4 + step_3_s3;  // polar.h:247
     wire [11:0] next = both_29_s3 ? step_3_s3 : sum_16;  // polar.h:245
-    wire [1:0] chosen_14 = lines_leftward_V_data_s3 ? right_columns_2_data : left_columns_2_data;  // polar.h:248
+    wire [1:0] chosen_15 = lines_leftward_V_data_s3 ? right_columns_2_data : left_columns_2_data;  // polar.h:248
     wire test_23 = {1'd0, width} > step;  // polar.h:249
     wire either_6 = test_14 | test_4_s1;  // polar.h:250
-    wire [1:0] chosen_15 = test_23_s3 ? chosen_14 : 2'd0;  // polar.h:253
+    wire [1:0] chosen_16 = test_23_s3 ? chosen_15 : 2'd0;  // polar.h:253
     wire both_31 = rule_run_rule_V & lines_contact_first_V_data;  // polar.h:148
-    wire both_32 = chosen_15[0];
-    wire [1:0] chosen_16 = rule_run_rule_V ? {1'd0, both_32} : chosen_15;  // polar.h:149
-    wire test_24 = chosen_16 == 2'd0;  // polar.h:150
+    wire both_32 = chosen_16[0];
+    wire [1:0] chosen_17 = rule_run_rule_V ? {1'd0, both_32} : chosen_16;  // polar.h:149
+    wire test_24 = chosen_17 == 2'd0;  // polar.h:150
     wire both_34 = both_25_s3 & test_24;  // polar.h:148
     wire test_25 = step_4 != 2'd0;  // polar.h:147
-    wire [11:0] chosen_17 = test_25 ? states_7_data : 12'd0;  // polar.h:151
-    wire shifted_2 = chosen_15[1];  // polar.h:151
-    wire [11:0] sum_17 = chosen_17_s3 + {11'd0, shifted_2};  // polar.h:151
-    wire test_26 = chosen_15 > step_4_s3;  // polar.h:152
+    wire [11:0] chosen_18 = test_25 ? states_7_data : 12'd0;  // polar.h:151
+    wire shifted_2 = chosen_16[1];  // polar.h:151
+    wire [11:0] sum_17 = chosen_18_s3 + {11'd0, shifted_2};  // polar.h:151
+    wire test_26 = chosen_16 > step_4_s3;  // polar.h:152
     wire [11:0] sum_18 = states_7_data + 12'd1;  // polar.h:152
     wire [11:0] triangle = test_26 ? 12'd0 : sum_18_s3;  // polar.h:152
-    wire [11:0] chosen_18 = rule_run_rule_V ? sum_17 : triangle;  // polar.h:153
+    wire [11:0] chosen_19 = rule_run_rule_V ? sum_17 : triangle;  // polar.h:153
     wire both_37 = test_25 & both_31;  // polar.h:155
-    wire [1:0] chosen_19 = both_34 ? step_4_s3 : chosen_16;  // polar.h:148
-    wire [11:0] next_2 = both_34 ? states_7_data_s3 : chosen_18;  // polar.h:148
+    wire [1:0] chosen_20 = both_34 ? step_4_s3 : chosen_17;  // polar.h:148
+    wire [11:0] next_2 = both_34 ? states_7_data_s3 : chosen_19;  // polar.h:148
     wire either_7 = both_34 | both_37_s3;  // polar.h:148
     wire [12:0] next_3 = either_7 ? states_8_data_s3 : step_s3;  // polar.h:148
     wire [11:0] next_4 = both_34 ? states_6_data_s3 : sum_7_s3;  // polar.h:148
     wire either_8 = both_34 | test_25_s3;  // polar.h:148
     wire [11:0] next_5 = either_8 ? states_5_data_s3 : sum_7_s3;  // polar.h:148
     wire [11:0] difference_5 = sum_7_s3 - next_4;  // polar.h:158
-    wire [11:0] chosen_20 = rule_run_rule_V ? rule_max_gap_V : 12'd0;  // polar.h:159
-    wire test_27 = difference_5_s4 > chosen_20_s4;  // polar.h:159
-    wire [1:0] either_9 = step_4_s3 | chosen_16;  // polar.h:160
+    wire [11:0] chosen_21 = rule_run_rule_V ? rule_max_gap_V : 12'd0;  // polar.h:159
+    wire test_27 = difference_5_s4 > chosen_21_s4;  // polar.h:159
+    wire [1:0] either_9 = step_4_s3 | chosen_17;  // polar.h:160
     wire brmerge = either_9 != 2'd0;  // polar.h:160
     wire either_10 = test_27 | either_6_s4;
     wire both_39 = brmerge_s4 & either_10;  // polar.h:160
-    wire [1:0] next_6 = both_39 ? 2'd0 : chosen_19_s4;  // polar.h:161
+    wire [1:0] next_6 = both_39 ? 2'd0 : chosen_20_s4;  // polar.h:161
     wire [11:0] difference_6 = next_4 - next_5;  // polar.h:167
     wire [11:0] sum_19 = difference_6_s4 + 12'd1;  // polar.h:167
-    wire [11:0] chosen_21 = both_31_s3 ? next_5 : next_4;  // polar.h:168
+    wire [11:0] chosen_22 = both_31_s3 ? next_5 : next_4;  // polar.h:168
     wire [12:0] value_61 = rule_horizon_row_V;  // polar.h:169
-    wire [13:0] difference_7 = {2'd0, chosen_21_s4} - {{1{value_61_s4[12]}}, value_61_s4};  // polar.h:169
+    wire [13:0] difference_7 = {2'd0, chosen_22_s4} - {{1{value_61_s4[12]}}, value_61_s4};  // polar.h:169
     wire [13:0] value_62 = difference_7;  // polar.h:169
     wire [23:0] product = $signed(value_62) * $signed({1'd0, rule_height_ratio_V});  // polar.h:169
     wire [15:0] shifted_3 = product[23:8];  // polar.h:169
@@ -448,25 +448,25 @@ module polar (
     wire test_30 = product_2_s4 >= {2'd0, sum_19};  // polar.h:170
     wire both_45 = both_43 & test_30;  // polar.h:170
     wire test_31 = next_2 > 12'd4;  // polar.h:171
-    wire chosen_22 = rule_run_rule_V ? both_45 : test_31_s4;  // polar.h:178
+    wire chosen_23 = rule_run_rule_V ? both_45 : test_31_s4;  // polar.h:178
     wire both_46 = both_25_s4 & both_39;  // polar.h:170
-    wire both_47 = both_46_s5 & chosen_22_s5;  // polar.h:170
-    wire [11:0] chosen_23 = rule_run_rule_V ? sum_19 : next_2_s4;  // polar.h:175
+    wire both_47 = both_46_s5 & chosen_23_s5;  // polar.h:170
+    wire [11:0] chosen_24 = rule_run_rule_V ? sum_19 : next_2_s4;  // polar.h:175
     wire [20:0] shifted_4 = {next_3, 8'd0};  // polar.h:255
     wire [20:0] either_11 = shifted_4 | {13'd0, sum_8_s3};  // polar.h:255
-    wire [32:0] shifted_5 = {chosen_21, 21'd0};  // polar.h:255
+    wire [32:0] shifted_5 = {chosen_22, 21'd0};  // polar.h:255
     wire [32:0] either_12 = {12'd0, either_11} | shifted_5;  // polar.h:255
-    wire [44:0] shifted_6 = {chosen_23, 33'd0};  // polar.h:255
+    wire [44:0] shifted_6 = {chosen_24, 33'd0};  // polar.h:255
     wire [44:0] either_13 = {12'd0, either_12_s4} | shifted_6;  // polar.h:255
-    wire [45:0] chosen_24 = test_27 ? 46'd0 : 46'h200000000000;  // polar.h:255
-    wire [45:0] either_14 = {1'd0, either_13} | chosen_24;  // polar.h:255
+    wire [45:0] chosen_25 = test_27 ? 46'd0 : 46'h200000000000;  // polar.h:255
+    wire [45:0] either_14 = {1'd0, either_13} | chosen_25;  // polar.h:255
     wire [11:0] states_8_store_0 = next;  // polar.h:257
     wire [1:0] states_8_store_1 = next_6;  // polar.h:257
     wire [11:0] states_8_store_2 = next_5;  // polar.h:257
     wire [11:0] states_8_store_3 = next_4;  // polar.h:257
     wire [11:0] states_8_store_4 = next_2;  // polar.h:257
     wire [12:0] states_8_store_5 = next_3;  // polar.h:257
-    wire [11:0] states_8_store_6 = chosen_8;  // polar.h:257
+    wire [11:0] states_8_store_6 = chosen_9;  // polar.h:257
     wire [12:0] states_8_store_7 = sum_14;  // polar.h:257
     wire states_8_store_8 = test_15;  // polar.h:257
     wire [88:0] states_8_store_word = {states_8_store_8_s4, states_8_store_7_s4, states_8_store_6_s4, states_8_store_5_s4, states_8_store_4_s4, states_8_store_3_s4, states_8_store_2_s4, states_8_store_1, states_8_store_0_s4};  // polar.h:257
@@ -474,11 +474,11 @@ module polar (
     wire both_51 = both_11 & test_4;  // polar.h:257
     wire test_32 = sum_7_s1 < lines_first_row_V_data;  // polar.h:260
     wire test_33 = sum_3_q == {2'd0, sum_8};  // polar.h:260
-    wire [11:0] chosen_25 = test_32_s3 ? 12'd0 : next_7;  // polar.h:261
-    wire [19:0] shifted_7 = {chosen_25, 8'd0};  // polar.h:261
+    wire [11:0] chosen_26 = test_32_s3 ? 12'd0 : next_7;  // polar.h:261
+    wire [19:0] shifted_7 = {chosen_26, 8'd0};  // polar.h:261
     wire [19:0] either_15 = shifted_7_s4 | {12'd0, sum_8_s4};  // polar.h:261
-    wire [20:0] chosen_26 = test_33 ? 21'd1048576 : 21'd0;  // polar.h:261
-    wire [20:0] either_16 = {1'd0, either_15} | chosen_26_s4;  // polar.h:261
+    wire [20:0] chosen_27 = test_33 ? 21'd1048576 : 21'd0;  // polar.h:261
+    wire [20:0] either_16 = {1'd0, either_15} | chosen_27_s4;  // polar.h:261
     wire test_34 = at_3 == sum_2_q;  // raster.h:18
     wire [11:0] sum_20 = at_3 + 12'd1;  // raster.h:21
     wire [11:0] at_4 = at_2 + {11'd0, test_34};  // raster.h:21
@@ -620,7 +620,7 @@ module polar (
         if (for_2_active[0] & for_2_front_ce) taps_4 <= pixel;
         if (for_2_active[0] & for_2_front_ce) at_2 <= at_4;
         if (for_2_active[0] & for_2_front_ce) at_3 <= at_5;
-        if (for_2_active[0] & for_2_front_ce) high_before <= chosen_4;
+        if (for_2_active[0] & for_2_front_ce) high_before <= chosen_5;
         case (state)
             S_IDLE: if (ap_start) begin
                 state <= S_ENTRY;
@@ -629,13 +629,13 @@ module polar (
                 if (test_3) begin
                     state <= S_IF_2;
                 end else begin
-                    state <= S_ZN9AP_DETAIL6LARGEREII;
+                    state <= S_CYCLES;
                 end
             end
             S_IF_2: if (~stall) begin
-                state <= S_ZN9AP_DETAIL6LARGEREII;
+                state <= S_CYCLES;
             end
-            S_ZN9AP_DETAIL6LARGEREII: if (~stall) begin
+            S_CYCLES: if (~stall) begin
                 state <= S_FOR_2;
                 for_2_active[0] <= 1'b1;
                 taps <= 2'd0;
@@ -664,9 +664,9 @@ module polar (
     always @(posedge clk) begin
         if ((state == S_ENTRY) & ~stall) walked_q <= walked;
         if ((state == S_ENTRY) & ~stall) tail_q <= tail;
-        if ((state == S_ZN9AP_DETAIL6LARGEREII) & ~stall) sum_2_q <= sum_2;
-        if ((state == S_ZN9AP_DETAIL6LARGEREII) & ~stall) at_q <= at;
-        if ((state == S_ZN9AP_DETAIL6LARGEREII) & ~stall) sum_3_q <= sum_3;
+        if ((state == S_CYCLES) & ~stall) sum_2_q <= sum_2;
+        if ((state == S_CYCLES) & ~stall) at_q <= at;
+        if ((state == S_CYCLES) & ~stall) sum_3_q <= sum_3;
         if (for_2_front_ce) begin
             test_4_s1 <= test_4;
             either_s1 <= either;
@@ -675,10 +675,10 @@ module polar (
             both_11_s1 <= both_11;
             sum_8_s1 <= sum_8;
             value_20_s1 <= value_20;
-            chosen_20_s1 <= chosen_20;
+            chosen_21_s1 <= chosen_21;
             value_61_s1 <= value_61;
             both_51_s1 <= both_51;
-            chosen_26_s1 <= chosen_26;
+            chosen_27_s1 <= chosen_27;
         end
         if (for_2_ce) begin
             either_s2 <= either_s1;
@@ -734,27 +734,27 @@ module polar (
             both_31_s3 <= both_31_s2;
             test_25_s2 <= test_25;
             test_25_s3 <= test_25_s2;
-            chosen_17_s2 <= chosen_17;
-            chosen_17_s3 <= chosen_17_s2;
+            chosen_18_s2 <= chosen_18;
+            chosen_18_s3 <= chosen_18_s2;
             sum_18_s2 <= sum_18;
             sum_18_s3 <= sum_18_s2;
             both_37_s2 <= both_37;
             both_37_s3 <= both_37_s2;
-            chosen_19_s4 <= chosen_19;
+            chosen_20_s4 <= chosen_20;
             next_2_s4 <= next_2;
             difference_5_s4 <= difference_5;
-            chosen_20_s2 <= chosen_20_s1;
-            chosen_20_s3 <= chosen_20_s2;
-            chosen_20_s4 <= chosen_20_s3;
+            chosen_21_s2 <= chosen_21_s1;
+            chosen_21_s3 <= chosen_21_s2;
+            chosen_21_s4 <= chosen_21_s3;
             brmerge_s4 <= brmerge;
             difference_6_s4 <= difference_6;
-            chosen_21_s4 <= chosen_21;
+            chosen_22_s4 <= chosen_22;
             value_61_s2 <= value_61_s1;
             value_61_s3 <= value_61_s2;
             value_61_s4 <= value_61_s3;
             product_2_s4 <= product_2;
             test_31_s4 <= test_31;
-            chosen_22_s5 <= chosen_22;
+            chosen_23_s5 <= chosen_23;
             both_46_s5 <= both_46;
             either_12_s4 <= either_12;
             either_14_s5 <= either_14;
@@ -764,9 +764,9 @@ module polar (
             test_32_s2 <= test_32;
             test_32_s3 <= test_32_s2;
             shifted_7_s4 <= shifted_7;
-            chosen_26_s2 <= chosen_26_s1;
-            chosen_26_s3 <= chosen_26_s2;
-            chosen_26_s4 <= chosen_26_s3;
+            chosen_27_s2 <= chosen_27_s1;
+            chosen_27_s3 <= chosen_27_s2;
+            chosen_27_s4 <= chosen_27_s3;
             states_8_store_0_s4 <= states_8_store_0;
             states_8_store_2_s4 <= states_8_store_2;
             states_8_store_3_s4 <= states_8_store_3;
