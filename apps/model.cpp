@@ -20,8 +20,9 @@ class GoldenModel : public Model {
   Pictures pictures() const override {
     const auto mask = [](const golden::Masks& masks) { return cv::Mat((masks.low & 128) | masks.high); };
     return {{"luma", stages_.luma},
-            {"frame_ring", stages_.pairs.nearest},
+            {"frame_ring", stages_.pairs.reference},
             {"difference", stages_.difference},
+            {"displacement", stages_.moves},
             {"gaussian", stages_.blurred},
             {"binarize", mask(stages_.binary)},
             {"erode", mask(stages_.eroded)},
@@ -49,8 +50,9 @@ class CsimModel : public Model {
   Pictures pictures() const override {
     const auto mask = [](const cv::Mat& bits) { return cv::Mat(((bits & 1) * 128) | ((bits & 2) * 255)); };
     return {{"luma", capture_.luma},
-            {"frame_ring", capture_.nearest},
+            {"frame_ring", capture_.reference},
             {"difference", capture_.difference},
+            {"displacement", capture_.moves},
             {"gaussian", capture_.blurred},
             {"binarize", mask(capture_.binary)},
             {"erode", mask(capture_.eroded)},

@@ -103,8 +103,10 @@ class Scorer {
     if (score_.has_contacts) {
       const render::TrueFrame& truth = truth_[frame.index];
       score_.per_frame += render::score_reports(places(finding.obstacles), truth, {});
-      score_.confirmed +=
-          render::score_reports(confirmed_in_view(grid_, drive_, frame.world_from_robot), truth, {});
+      // Before that many frames nothing can be confirmed, however well it is seen.
+      if (score_.frames >= GridSettings().confirm_hits)
+        score_.confirmed +=
+            render::score_reports(confirmed_in_view(grid_, drive_, frame.world_from_robot), truth, {});
     }
     if (drive_.sequence().camera().distorted()) return;  // the masks are for the images before rectification
     const cv::Mat mask = drive_.sequence().truth_mask(frame.index);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "golden/difference.h"
+#include "golden/displacement.h"
 #include "golden/erode.h"
 #include "golden/gaussian.h"
 #include "golden/luma.h"
@@ -49,8 +49,10 @@ class RingCheck {
   }
 
  private:
-  /// Places farther away than this explain nothing.
-  static constexpr int kReach = 4;
+  /// Steps of the interpolation in a pixel.
+  static constexpr int kSteps = 16;
+  /// An error for what no place within half a pixel explains.
+  static constexpr double kReach = 4;
 
   double error(const StageCapture& capture, const golden::PixelPairs& golden, int u, int v) const {
     const bool kernel_valid = capture.valid.at<uchar>(v, u) != 0;
@@ -58,11 +60,10 @@ class RingCheck {
     if (!kernel_valid && !golden_valid) return 0;
     const cv::Point2d place = mapped(u, v);
     if (kernel_valid != golden_valid) return border_distance(place, v);
-    const int nearest = capture.nearest.at<uchar>(v, u), low = capture.low.at<uchar>(v, u),
-              high = capture.high.at<uchar>(v, u);
-    const bool same = nearest == golden.nearest.at<uchar>(v, u) && low == golden.low.at<uchar>(v, u) &&
-                      high == golden.high.at<uchar>(v, u);
-    return same ? 0 : std::max(nearest_error(place, nearest), cell_error(place, low, high));
+    const int reference = capture.reference.at<uchar>(v, u), gradient = capture.gradient.at<uchar>(v, u);
+    const bool same =
+        reference == golden.reference.at<uchar>(v, u) && gradient == golden.gradient.at<uchar>(v, u);
+    return same ? 0 : explaining_distance(place, reference, gradient);
   }
 
   cv::Point2d mapped(int u, int v) const {
@@ -79,36 +80,35 @@ class RingCheck {
                      std::abs(place.y - oldest_row)});
   }
 
-  /// Least distance (the greater of its x and y parts) at which `matches(column, row)` holds for the unit
-  /// square whose least corner is (column + offset, row + offset).
-  double least_distance(cv::Point2d place, double offset,
-                        const std::function<bool(int, int)>& matches) const {
-    const auto outside = [](double at, double low) { return std::max({low - at, at - low - 1, 0.0}); };
-    const int column = cvFloor(place.x), row = cvFloor(place.y);
+  /// Least distance (the greater of its x and y parts), in the interpolation's steps, at which the reference
+  /// interpolates to `reference` with that gradient.
+  double explaining_distance(cv::Point2d place, int reference, int gradient) const {
+    const cv::Point steps(cvFloor(place.x * kSteps + 0.5), cvFloor(place.y * kSteps + 0.5));
     double least = kReach;
-    for (int y = row - kReach; y <= row + kReach; ++y) {
-      for (int x = column - kReach; x <= column + kReach; ++x) {
-        const double distance = std::max(outside(place.x, x + offset), outside(place.y, y + offset));
-        if (distance < least && matches(x, y)) least = distance;
+    for (int y = -kSteps / 2; y <= kSteps / 2; ++y) {
+      for (int x = -kSteps / 2; x <= kSteps / 2; ++x) {
+        const cv::Point at = steps + cv::Point(x, y);
+        const double distance =
+            std::max(std::abs(at.x / double(kSteps) - place.x), std::abs(at.y / double(kSteps) - place.y));
+        if (distance < least && interpolates_to(at, reference, gradient)) least = distance;
       }
     }
     return least;
   }
 
-  uchar clamped(int x, int y) const {
+  bool interpolates_to(cv::Point steps, int reference, int gradient) const {
+    const int column = cvFloor(double(steps.x) / kSteps), row = cvFloor(double(steps.y) / kSteps);
+    const int across = steps.x - column * kSteps, down = steps.y - row * kSteps;
+    const int a = clamped(column, row), b = clamped(column + 1, row), c = clamped(column, row + 1),
+              d = clamped(column + 1, row + 1);
+    const int sum =
+        (kSteps - down) * (kSteps * a + across * (b - a)) + down * (kSteps * c + across * (d - c));
+    return (sum + kSteps * kSteps / 2) / (kSteps * kSteps) == reference &&
+           std::max(std::abs(a - d), std::abs(b - c)) == gradient;
+  }
+
+  int clamped(int x, int y) const {
     return reference_.at<uchar>(std::clamp(y, 0, reference_.rows - 1), std::clamp(x, 0, reference_.cols - 1));
-  }
-
-  double nearest_error(cv::Point2d place, int value) const {
-    return least_distance(place, -0.5, [&](int x, int y) { return clamped(x, y) == value; });
-  }
-
-  double cell_error(cv::Point2d place, int low, int high) const {
-    return least_distance(place, 0, [&](int x, int y) {
-      const auto [least, greatest] =
-          std::minmax({clamped(x, y), clamped(x + 1, y), clamped(x, y + 1), clamped(x + 1, y + 1)});
-      return least == low && greatest == high;
-    });
   }
 
   const cv::Mat& reference_;
@@ -170,6 +170,7 @@ const std::vector<StageBound>& stage_bounds() {
       {"luma", "worst pixel", "LSB", 1},
       {"frame_ring", "worst mapped coordinate", "px", 0.5},
       {"difference", "worst pixel", "LSB", 0},
+      {"displacement", "worst mask", "LSB", 0},
       {"gaussian", "worst pixel", "LSB", 1},
       {"binarize", "worst mask", "LSB", 0},
       {"erode", "worst mask", "LSB", 0},
@@ -190,15 +191,16 @@ StagePairs StageCheck::add(const cv::Mat& image, const golden::Parameters& param
   const golden::PixelPairs ring =
       ring_.pair(capture.luma, parameters.homography, parameters.replace_reference);
   const RingCheck ring_check(reference_, parameters, ring_rows_);
-  const golden::PixelPairs pairs{capture.luma, capture.nearest, capture.low, capture.high,
-                                 capture.valid != 0};
+  const golden::PixelPairs pairs{capture.luma, capture.reference, capture.gradient, capture.valid != 0};
   const int high = golden::high_threshold(parameters.threshold, capture.otsu_threshold);
   const golden::Masks binary = from_bits(capture.binary), eroded = from_bits(capture.eroded);
 
   StagePairs stages = {
       compared(capture.luma, golden::luma(image)),
-      {capture.nearest, ring.nearest, ring_check.worst(capture, ring)},
-      compared(capture.difference, golden::difference(pairs, parameters.tolerant)),
+      {capture.reference, ring.reference, ring_check.worst(capture, ring)},
+      compared(capture.difference, golden::difference(pairs)),
+      compared(capture.moves,
+               golden::displacement(capture.difference, capture.gradient, parameters.displacement)),
       compared(capture.blurred, golden::gaussian(capture.difference)),
       compared(capture.binary, to_bits(golden::binarize(capture.blurred, high, parameters.threshold.low))),
       compared(capture.eroded, to_bits(parameters.erode_high ? golden::erode(binary) : binary)),
@@ -217,7 +219,8 @@ void StageCheck::check_results(const golden::Parameters& parameters, const Stage
   const auto note = [&](ResultStage stage, double value) { worst_[stage] = std::max(worst_[stage], value); };
   note(otsu_stage, std::abs(capture.otsu_threshold - otsu_before_));
   otsu_before_ = golden::otsu(capture.blurred);
-  note(polar_stage, polar_faults(golden::polar(from_bits(capture.region), parameters.lines, parameters.rule),
+  note(polar_stage, polar_faults(golden::polar(from_bits(capture.region), capture.moves, parameters.lines,
+                                               parameters.rule),
                                  contacts, output.counts));
   note(birdseye_stage, birdseye_error(golden::birdseye(contacts, parameters.birdseye), output.points));
   note(cluster_stage, cluster_faults(golden::cluster(cut_for_clustering(in_natural_units(output.points)),

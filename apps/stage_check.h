@@ -15,8 +15,8 @@
 namespace floorline::app {
 
 /// The image stages, in pipeline order.
-enum class ImageStage { luma, frame_ring, difference, gaussian, binarize, erode, roi };
-constexpr int kImageStages = 7;
+enum class ImageStage { luma, frame_ring, difference, displacement, gaussian, binarize, erode, roi };
+constexpr int kImageStages = 8;
 
 /// How far a kernel is from its twin over all frames so far, in the unit of its bound.
 struct StageBound {

@@ -6,9 +6,8 @@
 
 namespace floorline::golden {
 
-/// |H[I_n] - I_n+1|, CV_8UC1. plain: |nearest - current|; tolerant: how far current lies outside [low, high].
-/// 0 where the pair is not valid.
-cv::Mat difference(const PixelPairs& pairs, bool tolerant);
+/// |H[I_n] - I_n+1|, CV_8UC1; 0 where the pair is not valid.
+cv::Mat difference(const PixelPairs& pairs);
 
 }  // namespace floorline::golden
 

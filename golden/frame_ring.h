@@ -7,14 +7,12 @@
 
 namespace floorline::golden {
 
-/// A frame of pixel pairs: five CV_8UC1 images of one size. Where `valid` is 0, nearest, low and high are 0
-/// too.
+/// A frame of pixel pairs: CV_8UC1 images of one size. Where `valid` is 0, reference and gradient are 0 too.
 struct PixelPairs {
   cv::Mat current;
-  cv::Mat nearest;  ///< Reference pixel nearest to H(u, v): at floor(x + 0.5), floor(y + 0.5).
-  cv::Mat low;      ///< Least of the 2x2 cell at floor(x), floor(y), clamped to the image.
-  cv::Mat high;     ///< Greatest of that cell.
-  cv::Mat valid;    ///< 255 or 0.
+  cv::Mat reference;  ///< Interpolated at H(u, v), a coordinate rounded to sixteenths of a pixel.
+  cv::Mat gradient;   ///< Greater difference across a diagonal of the 2x2 cell there, clamped to the image.
+  cv::Mat valid;      ///< 255 or 0.
 };
 
 /// A reference frame in a ring of a fixed number of rows. A frame that replaces the reference is written into
@@ -27,9 +25,9 @@ class FrameRing {
 
   /// Pairs `current` (CV_8UC1) with the reference. `homography` maps current pixel centres to reference
   /// pixels, x = X / Z, y = Y / Z, and is scaled as the accelerator's (Z near 1). Valid: Z within the bounds
-  /// above, -0.5 <= x < width - 0.5, the same for y, and both rows of the cell still in the ring. Nothing is
-  /// valid before a frame has replaced the reference; a frame of another size drops the reference. With
-  /// `replace` the frame becomes the reference of the next.
+  /// above, -0.5 <= x < width - 0.5 for the rounded x, the same for y, and both rows of the cell still in the
+  /// ring. Nothing is valid before a frame has replaced the reference; a frame of another size drops the
+  /// reference. With `replace` the frame becomes the reference of the next.
   PixelPairs pair(const cv::Mat& current, const cv::Matx33d& homography, bool replace);
 
  private:

@@ -14,8 +14,15 @@ inline bool denominator_resolved(double z) { return z > 1.0 / 16 && z < 8; }
 /// Grey levels.
 struct Thresholds {
   int floor = 20;         ///< The high threshold is never below this.
-  int override_high = 0;  ///< 0: Otsu's of the frame before; else this value.
-  int low = 11;
+  int override_high = 7;  ///< 0: Otsu's of the frame before; else this value.
+  int low = 3;
+};
+
+/// Which pixels move against the floor (displacement.h).
+struct DisplacementParameters {
+  int noise = 255;      ///< Grey levels that difference and gradient owe to the sensor; 255: nothing moves.
+  double bound_px = 0;  ///< What a still pixel may have moved in row 0...
+  double bound_step_px = 0;  ///< ...and more of it a row further down.
 };
 
 /// How a run along a line becomes a contact point (docs/architecture.md, Rules).
@@ -24,7 +31,7 @@ enum class Rule { paper, run };
 struct RuleParameters {
   Rule kind = Rule::run;
   int min_rows = 12;        ///< Least rows of a run.
-  int max_gap = 3;          ///< Rows without a low pixel that a run survives.
+  int max_gap = 2;          ///< Rows without a low pixel that a run survives.
   double horizon_row = 0;   ///< Row of the horizon at the image centre.
   double height_ratio = 0;  ///< Least obstacle height over camera height; 0: no least height.
 };
@@ -40,7 +47,6 @@ struct Line {
 
 struct Parameters {
   bool replace_reference = true;  ///< This frame becomes the reference of the next ones.
-  bool tolerant = true;  ///< Difference: distance from the 2x2 cell's range instead of the nearest pixel.
   bool erode_high = false;
   int roi_first_row = 0;
   int roi_last_row = 0;  ///< Inclusive.
@@ -48,6 +54,7 @@ struct Parameters {
       cv::Matx33d::eye();                     ///< Current pixel -> reference pixel, Z near 1 over the frame.
   cv::Matx33d birdseye = cv::Matx33d::eye();  ///< Pixel -> floor metres, robot frame.
   Thresholds threshold;
+  DisplacementParameters displacement;
   RuleParameters rule;
   std::vector<Line> lines;
   double cluster_gap_m = 0.25;  ///< Points of neighbouring lines nearer than this are one obstacle.

@@ -12,7 +12,9 @@ namespace {
 constexpr int triangle_score = 4;
 /// Half the window of eq. (17), l.
 constexpr int paper_reach = 1;
-constexpr int run_reach = 2;
+constexpr int run_reach = 3;
+/// Present rows in which a foot does not move.
+constexpr int still_rows_of_a_foot = 4;
 
 /// Set pixels of `mask` in columns first to last of a row; columns outside the image read 0.
 int set_pixels(const cv::Mat& mask, int row, int first, int last) {
@@ -32,15 +34,17 @@ int window_sum(const cv::Mat& mask, int row, int column, int reach) {
 struct Evidence {
   bool present;  ///< The run begins or goes on.
   int width;     ///< a_high.
+  bool moves;    ///< Against the floor.
 };
 
-Evidence look(const Masks& masks, const Step& step, Rule rule) {
+Evidence look(const Masks& masks, const cv::Mat& moves, const Step& step, Rule rule) {
+  const bool moving = window_sum(moves, step.row, step.first_column, 0) > 0;
   if (rule == Rule::paper) {
     const int width = window_sum(masks.high, step.row, step.first_column, paper_reach);
-    return {width > 0, width};
+    return {width > 0, width, moving};
   }
   return {window_sum(masks.low, step.row, step.first_column, run_reach) > 0,
-          window_sum(masks.high, step.row, step.first_column, run_reach)};
+          window_sum(masks.high, step.row, step.first_column, run_reach), moving};
 }
 
 /// A run along a line while it lasts.
@@ -48,27 +52,29 @@ class Run {
  public:
   Run(const Step& step) : first_(step), last_(step) {}
 
-  void extend(const Step& step, int width) {
-    high_rows_ += width > 0;
-    score_ = width <= width_before_ ? score_ + 1 : 0;  // eq. (18)
-    width_before_ = width;
+  void extend(const Step& step, const Evidence& evidence) {
+    high_rows_ += evidence.width > 0;
+    score_ = evidence.width <= width_before_ ? score_ + 1 : 0;  // eq. (18)
+    width_before_ = evidence.width;
+    still_rows_ = evidence.moves ? 0 : still_rows_ + 1;
     last_ = step;
   }
 
   int gap(int row) const { return row - last_.row; }
 
-  /// The contact that the run is, if it is one.
-  std::optional<Contact> contact(const RuleParameters& rule, bool contact_first) const {
+  /// The contact that the run is, if it is one. clipped: the line ends before the run does.
+  std::optional<Contact> contact(const RuleParameters& rule, bool contact_first, bool clipped) const {
     if (rule.kind == Rule::paper) {
       if (score_ <= triangle_score) return std::nullopt;
-      return Contact{.u = last_.first_column, .v = last_.row, .rows = score_};
+      return Contact{.u = last_.first_column, .v = last_.row, .rows = score_, .clipped = clipped};
     }
     const Step& foot = contact_first ? first_ : last_;
     const int rows = last_.row - first_.row + 1;
     const int least_rows =
         std::max(rule.min_rows, cvFloor((foot.row - rule.horizon_row) * rule.height_ratio));
-    if (rows < least_rows || 3 * high_rows_ < rows) return std::nullopt;
-    return Contact{.u = foot.first_column, .v = foot.row, .rows = rows};
+    const bool still = still_rows_ >= still_rows_of_a_foot || contact_first || clipped;
+    if (rows < least_rows || 3 * high_rows_ < rows || !still) return std::nullopt;
+    return Contact{.u = foot.first_column, .v = foot.row, .rows = rows, .clipped = clipped};
   }
 
  private:
@@ -77,6 +83,7 @@ class Run {
   int high_rows_ = 0;
   int score_ = 0;
   int width_before_ = 0;
+  int still_rows_ = 0;  ///< Last present rows that did not move.
 };
 
 struct Decision {
@@ -86,8 +93,8 @@ struct Decision {
 
 /// Walks one line; returns its count of high pixels and appends the contacts with the rows in which they were
 /// decided.
-int walk_line(const Masks& masks, int index, const Line& line, const RuleParameters& rule,
-              std::vector<Decision>& decisions) {
+int walk_line(const Masks& masks, const cv::Mat& moves, int index, const Line& line,
+              const RuleParameters& rule, std::vector<Decision>& decisions) {
   const std::vector<Step> steps = walk(line);
   const int max_gap = rule.kind == Rule::run ? rule.max_gap : 0;
   const int last_row = std::min(steps.back().row, masks.high.rows - 1);
@@ -98,16 +105,15 @@ int walk_line(const Masks& masks, int index, const Line& line, const RuleParamet
     const auto [left, right] = std::minmax(step.first_column, step.last_column);
     count += set_pixels(masks.high, step.row, left, right);
 
-    const Evidence evidence = look(masks, step, rule.kind);
+    const Evidence evidence = look(masks, moves, step, rule.kind);
     if (evidence.present) {
       if (!run) run.emplace(step);
-      run->extend(step, evidence.width);
+      run->extend(step, evidence);
     }
     const bool gap_ends = run && run->gap(step.row) > max_gap;
     if (!run || !(gap_ends || step.row == last_row)) continue;
-    if (std::optional<Contact> contact = run->contact(rule, line.contact_first)) {
+    if (std::optional<Contact> contact = run->contact(rule, line.contact_first, !gap_ends)) {
       contact->line = index;
-      contact->clipped = !gap_ends;
       decisions.push_back({step.row, *contact});
     }
     run.reset();
@@ -131,11 +137,12 @@ std::vector<Step> walk(const Line& line) {
   return steps;
 }
 
-PolarHistogram polar(const Masks& masks, const std::vector<Line>& lines, const RuleParameters& rule) {
+PolarHistogram polar(const Masks& masks, const cv::Mat& moves, const std::vector<Line>& lines,
+                     const RuleParameters& rule) {
   PolarHistogram histogram;
   std::vector<Decision> decisions;
   for (int i = 0; i < static_cast<int>(lines.size()); ++i) {
-    histogram.counts.push_back(walk_line(masks, i, lines[i], rule, decisions));
+    histogram.counts.push_back(walk_line(masks, moves, i, lines[i], rule, decisions));
   }
   std::ranges::sort(decisions, {}, [](const Decision& d) { return std::pair(d.row, d.contact.line); });
   for (const Decision& decision : decisions) histogram.contacts.push_back(decision.contact);

@@ -11,6 +11,7 @@
 #include "birdseye.h"
 #include "cluster.h"
 #include "difference.h"
+#include "displacement.h"
 #include "duplicate.h"
 #include "erode.h"
 #include "frame_ring.h"
@@ -35,7 +36,7 @@ struct AcceleratorConfig {
   static const int MAX_LINES = LINES;
 };
 
-typedef AcceleratorConfig<640, 480, 32, 128> VgaConfig;
+typedef AcceleratorConfig<640, 480, 32, 256> VgaConfig;
 typedef AcceleratorConfig<1280, 384, 32, 256> WideConfig;  ///< KITTI-shaped frames.
 
 /// One frame. pixels: width * height; points, obstacles and counts end with the frame's `end` element;
@@ -64,6 +65,11 @@ void accelerator(hls::stream<RgbPixel>& pixels, hls::stream<FloorPoint>& points,
 #pragma HLS STREAM variable = thresholds depth = 2
 #pragma HLS STREAM variable = eroded depth = 2
 #pragma HLS STREAM variable = region depth = 2
+  hls::stream<Change> changes("changes");
+#pragma HLS STREAM variable = changes depth = 2
+  // What moves waits until its pixel has passed the window filters: two rows and their pipelines.
+  hls::stream<ap_uint<1> > moves("moves");
+#pragma HLS STREAM variable = moves depth = 4096
   hls::stream<Pixel> blurred("blurred");
   hls::stream<Pixel> measured("measured");
   hls::stream<Mask> binary("binary");
@@ -82,14 +88,15 @@ void accelerator(hls::stream<RgbPixel>& pixels, hls::stream<FloorPoint>& points,
   luma<WIDTH, HEIGHT>(pixels, luma_out, width, height, parameters.grey);
   frame_ring<WIDTH, HEIGHT, Config::MARGIN>(luma_out, pairs, null_pixels, width, height,
                                             parameters.replace_reference, parameters.homography);
-  difference<WIDTH, HEIGHT>(pairs, difference_out, width, height, parameters.tolerant);
+  difference<WIDTH, HEIGHT>(pairs, difference_out, changes, width, height);
+  displacement<WIDTH, HEIGHT>(changes, moves, width, height, parameters.displacement);
   gaussian<WIDTH, HEIGHT>(difference_out, blurred, width, height);
   otsu<WIDTH, HEIGHT>(blurred, measured, thresholds, width, height);
   binarize<WIDTH, HEIGHT>(measured, thresholds, binary, width, height, parameters.threshold);
   erode<WIDTH, HEIGHT>(binary, eroded, width, height, parameters.erode_high);
   roi<WIDTH, HEIGHT>(eroded, region, width, height, parameters.roi_first_row, parameters.roi_last_row);
-  polar<WIDTH, HEIGHT, Config::MAX_LINES>(region, contacts, counts, width, height, parameters.line_count,
-                                          parameters.rule, lines);
+  polar<WIDTH, HEIGHT, Config::MAX_LINES>(region, moves, contacts, counts, width, height,
+                                          parameters.line_count, parameters.rule, lines);
   birdseye(contacts, floor_points, parameters.birdseye);
   duplicate(floor_points, points, candidates);
   cluster<Config::MAX_LINES>(candidates, obstacles, parameters.line_count, parameters.cluster_gap,
@@ -98,7 +105,7 @@ void accelerator(hls::stream<RgbPixel>& pixels, hls::stream<FloorPoint>& points,
 
 }  // namespace floorline
 
-/// Tops for the HLS compilers: VGA with 128 lines, and 1280x384 with 256 lines.
+/// Tops for the HLS compilers, 256 lines each.
 void floorline_accelerator(hls::stream<floorline::RgbPixel>& pixels,
                            hls::stream<floorline::FloorPoint>& points,
                            hls::stream<floorline::Obstacle>& obstacles,

@@ -8,15 +8,17 @@
 ///
 /// Map. X, Y (Q14.18) and Z (Q4.28) are linear in u and v and are accumulated. x = X / Z and y = Y / Z come
 /// from one reciprocal (reciprocal.h) and one multiplication each, within 0.05 px for images up to 2048
-/// columns; they are kept in half pixels, which is all that floor(x) and floor(x + 0.5) need.
+/// columns, rounded to sixteenths of a pixel.
 ///
-/// Pair: nearest, the pixel at floor(x + 0.5), floor(y + 0.5); low and high, the least and greatest pixel of
-/// the cell at floor(x), floor(y), cut to the image. valid when 2^-4 < Z < 8, the nearest pixel is in the
-/// image, and both rows of the cell are alive. Not valid: nearest, low, high are 0 and the pixel counts as
-/// null pixel. The first frame and frames of a size other than the reference's have no valid pixel; such a
-/// frame drops the reference even when it does not replace it.
+/// Pair: reference, interpolated linearly in the cell at floor(x), floor(y) and rounded; gradient, the
+/// greater difference across a diagonal of the cell (Roberts' cross: |dI/dx| + |dI/dy| of the interpolated
+/// patch in its middle). Pixels of the cell outside the image repeat those inside. valid when 2^-4 < Z < 8,
+/// the pixel nearest to (x, y) is in the image, and both rows of the cell are alive. Not valid: reference and
+/// gradient are 0 and the pixel counts as null pixel. The first frame and frames of a size other than the
+/// reference's have no valid pixel; such a frame drops the reference even when it does not replace it.
 ///
-/// II = 1; a frame takes width * height + depth cycles, depth ~20. Two DSPs beside the reciprocal's one.
+/// II = 1; a frame takes width * height + depth cycles, depth ~20. Two DSPs beside the reciprocal's one, and
+/// three small products.
 #ifndef FLOORLINE_HLS_FRAME_RING_H
 #define FLOORLINE_HLS_FRAME_RING_H
 
@@ -29,50 +31,59 @@
 
 namespace floorline {
 
-/// The two pixels nearest to a coordinate on one axis of an image: the cell along that axis.
+typedef ap_uint<4> Sixteenths;
+
+/// The two pixels on both sides of a coordinate on one axis of an image: the cell along that axis.
 struct AxisCell {
-  Size nearest;
-  Size other;   ///< The second nearest, or `nearest` where that would be outside the image.
-  Size first;   ///< The lesser of both.
-  bool inside;  ///< `nearest` is inside the image; if not, the rest is meaningless.
-  bool single;  ///< other == nearest.
+  Size first;
+  Size second;       ///< first + 1, or `first` where one of both would be outside the image.
+  Sixteenths place;  ///< Of the coordinate between both.
+  bool inside;  ///< The pixel nearest to the coordinate is inside the image; if not, the rest is meaningless.
+  bool single;  ///< second == first.
 };
 
-/// half_pixels: floor(2 x), from the 25-bit quotient.
-inline AxisCell axis_cell(ap_int<20> half_pixels, Size extent) {
+/// coordinate: in thirty-seconds of a pixel, rounded down.
+inline AxisCell axis_cell(ap_int<24> coordinate, Size extent) {
 #pragma HLS INLINE
-  const ap_int<21> shifted = half_pixels + 1;  // nearest = floor(x + 0.5) = floor((2 x + 1) / 2)
-  const ap_int<20> nearest = shifted >> 1;
-  const bool cell_goes_up = shifted[0];  // x lies above the centre of its nearest pixel
+  const ap_int<24> sixteenths = (coordinate + 1) >> 1;
+  const ap_int<20> below = sixteenths >> 4;
   const Size last = extent - 1;
   AxisCell cell;
-  cell.inside = nearest >= 0 && nearest <= last;
-  cell.nearest = nearest;
-  cell.single = cell_goes_up ? cell.nearest == last : cell.nearest == 0;
-  cell.other = cell.nearest;
-  if (!cell.single) cell.other = cell_goes_up ? Size(cell.nearest + 1) : Size(cell.nearest - 1);
-  cell.first = cell_goes_up ? cell.nearest : cell.other;
+  cell.place = Sixteenths(sixteenths);
+  const bool upper_half = cell.place[3];  // The nearest pixel is the one after `below`.
+  const bool before_first = below == -1;
+  cell.inside =
+      (below >= 0 || (before_first && upper_half)) && (below < last || (below == last && !upper_half));
+  cell.single = before_first || below == last;
+  cell.first = before_first ? Size(0) : Size(below);
+  cell.second = cell.single ? cell.first : Size(cell.first + 1);
   return cell;
 }
 
-/// Widens [low, high] to hold a pixel that belongs to the cell.
-inline void widen(PixelPair& pair, Pixel pixel, bool in_cell) {
+/// 16 times the value between a and b.
+inline ap_uint<12> between(Pixel a, Pixel b, Sixteenths place) {
 #pragma HLS INLINE
-  if (in_cell && pixel < pair.low) pair.low = pixel;
-  if (in_cell && pixel > pair.high) pair.high = pixel;
+  const ap_int<9> rise = b - a;
+  return (ap_uint<12>(a) << 4) + rise * place;
 }
 
-/// nearest, low and high of what the banks hold.
-inline void take_cell(const BankCell& cell, const BankAxis& rows, const BankAxis& columns,
-                      ap_uint<1> nearest_row, ap_uint<1> nearest_column, PixelPair& pair) {
+inline Pixel distance(Pixel a, Pixel b) {
 #pragma HLS INLINE
-  pair.nearest = pixel_of(cell, nearest_row, nearest_column);
-  pair.low = pair.nearest;
-  pair.high = pair.nearest;
-  widen(pair, cell.even_even, rows.even_used && columns.even_used);
-  widen(pair, cell.even_odd, rows.even_used && columns.odd_used);
-  widen(pair, cell.odd_even, rows.odd_used && columns.even_used);
-  widen(pair, cell.odd_odd, rows.odd_used && columns.odd_used);
+  return a > b ? Pixel(a - b) : Pixel(b - a);
+}
+
+/// Reference and gradient from a cell whose pixels are given row by row.
+inline void interpolate(Pixel upper_left, Pixel upper_right, Pixel lower_left, Pixel lower_right,
+                        Sixteenths across, Sixteenths down, PixelPair& pair) {
+#pragma HLS INLINE
+  const ap_uint<12> upper = between(upper_left, upper_right, across);
+  const ap_uint<12> lower = between(lower_left, lower_right, across);
+  const ap_int<13> rise = lower - upper;
+  const ap_uint<16> sum = (ap_uint<16>(upper) << 4) + rise * down + 128;
+  pair.reference = sum >> 8;
+  const Pixel falling = distance(upper_left, lower_right);
+  const Pixel rising = distance(upper_right, lower_left);
+  pair.gradient = falling > rising ? falling : rising;
 }
 
 /// in: width * height pixels. out: as many pairs. null_pixels: one count a frame, after its last pixel.
@@ -125,17 +136,19 @@ PIXELS:
     pair.current = in.read();
 
     const Reciprocal denominator = reciprocal(z_walk.value);
-    const AxisCell column = axis_cell(quotient<23>(x_walk.value >> 7, denominator), width);
-    const AxisCell row = axis_cell(quotient<23>(y_walk.value >> 7, denominator), height);
+    const AxisCell column = axis_cell(quotient<19>(x_walk.value >> 7, denominator), width);
+    const AxisCell row = axis_cell(quotient<19>(y_walk.value >> 7, denominator), height);
     const bool alive = !replace_reference || row.first + spare_rows > at.v;
     pair.valid = has_reference && denominator.valid && column.inside && row.inside && alive;
 
-    const Size nearest_row = wrapped<RING_ROWS>(base + row.nearest);
-    const Size other_row = wrapped<RING_ROWS>(base + row.other);
-    const BankAxis rows = bank_axis(nearest_row, pair.valid, other_row, pair.valid && !row.single);
-    const BankAxis columns = bank_axis(column.nearest, true, column.other, !column.single);
+    const Size first_row = wrapped<RING_ROWS>(base + row.first);
+    const Size second_row = wrapped<RING_ROWS>(base + row.second);
+    const BankAxis rows = bank_axis(first_row, pair.valid, second_row, pair.valid && !row.single);
+    const BankAxis columns = bank_axis(column.first, true, column.second, !column.single);
     const BankCell cell = load<PITCH>(even_even, even_odd, odd_even, odd_odd, rows, columns);
-    take_cell(cell, rows, columns, nearest_row[0], column.nearest[0], pair);
+    interpolate(pixel_of(cell, first_row[0], column.first[0]), pixel_of(cell, first_row[0], column.second[0]),
+                pixel_of(cell, second_row[0], column.first[0]),
+                pixel_of(cell, second_row[0], column.second[0]), column.place, row.place, pair);
     out.write(pair);
     if (!pair.valid) null_count = null_count + 1;
 

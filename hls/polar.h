@@ -12,7 +12,8 @@
 ///           before(b) + high(b) - before(a);
 ///   window  eq. (17) around the column, columns outside the image read 0. Paper rule: a_high over 3 columns
 ///   (l = 1).
-///           Run rule: bit 1 is a_high >= 1, bit 0 a_low >= 1, over 5 columns (l = 2).
+///           Run rule: bit 1 is a_high >= 1, bit 0 a_low >= 1, over 7 columns (l = 3);
+///   moves   whether the pixel moves against the floor (displacement.h).
 ///
 /// Definitions at the borders. a_r belongs to the first column of the run in walk order; where that lies
 /// outside the image, a_r = 0. Only columns inside the image are counted. Rows at or below `height` do not
@@ -24,8 +25,9 @@
 /// >= 1) and ends at the first row that is more than the allowed gap (paper: 0) below its last present row,
 /// or at the line's last row, then `clipped`. rows = last present row - first + 1. Paper: S_c counts up while
 /// a_r does not grow, else 0; contact when S_c > 4, in the last present row. Run: contact when rows >=
-/// max(min_rows, least height there) and at least a third of the rows are high; in the last present row, or
-/// the first for contact_first lines (ignored by the paper rule).
+/// max(min_rows, least height there), at least a third of the rows are high, and its last STILL_ROWS present
+/// rows do not move: a foot does not, what stands above it does. In the last present row, or the first for
+/// contact_first lines (ignored by the paper rule). Clipped runs and contact_first lines need not end still.
 ///
 /// Cycles a frame: width * height + LINE_DELAY + line_count + depth, II = 1. Latency from the last pixel of
 /// the deciding row to the contact: LINE_DELAY + line index + depth; from the decided pixel itself at most
@@ -40,23 +42,29 @@
 namespace floorline {
 namespace polar_engine {
 
-/// Columns between the start of a row and the step of line 0: the last two windows of the row before complete
-/// in columns 0 and 1, and their writes need time to land before a line reads them.
-const int LINE_DELAY = 4;
+/// Columns between the start of a row and the step of line 0: the last REACH windows of the row before
+/// complete in the first columns, and their writes need time to land before a line reads them.
+const int LINE_DELAY = 5;
 /// Columns of a row that no line may take: LINE_DELAY, and the depth of the pipeline, so that a line's state
 /// is written back long before its next step and the last step reads its row before the row is overwritten.
 const int LINE_SLACK = 16;
 /// A triangle of the paper has S_c above this.
 const int TRIANGLE_SCORE = 4;
+/// l of the run rule.
+const int REACH = 3;
+const int TAPS = 2 * REACH + 1;
+/// Present rows in which a foot does not move.
+const int STILL_ROWS = 4;
 
 /// What the steps need of one column, see above.
 struct Summary {
   Size before;
   ap_uint<1> high;
   ap_uint<2> window;
+  ap_uint<1> moves;
 };
 
-/// Where a line stands between two rows. Packs into 89 bits.
+/// Where a line stands between two rows. Packs into 92 bits.
 struct LineState {
   Coordinate column;  ///< First column of the coming run.
   Size error;
@@ -67,6 +75,7 @@ struct LineState {
   Size last_row;              ///< Last present row of the run.
   Size score;                 ///< Paper: S_c. Run rule: high rows.
   Coordinate contact_column;  ///< u of the contact that the run would give.
+  ap_uint<3> still_rows;      ///< Last present rows that did not move, up to STILL_ROWS.
 };
 
 /// Columns that a line covers in one row, and its state for the next row (but for rule and count).
@@ -77,31 +86,44 @@ struct Step {
   LineState next;
 };
 
-/// The last five pixels of the stream; [2] is the centre of the window.
+/// A pixel as the engine takes it in: bit 2 moves, bits 1:0 the mask.
+typedef ap_uint<3> Sample;
+
+/// The last pixels of the stream; [REACH] is the centre of the window.
 struct Taps {
-  Mask pixel[5];
+  Sample pixel[TAPS];
 };
 
-inline void shift(Taps& taps, Mask pixel) {
+inline void shift(Taps& taps, Sample pixel) {
 #pragma HLS INLINE
 SHIFT:
-  for (int i = 4; i > 0; --i) {
+  for (int i = TAPS - 1; i > 0; --i) {
 #pragma HLS UNROLL
     taps.pixel[i] = taps.pixel[i - 1];
   }
   taps.pixel[0] = pixel;
 }
 
-/// eq. (17) around the centre when the newest pixel is in `column`. Columns 0 and 1 complete the end of the
-/// row before; taps that belong to the neighbouring row read 0.
+/// Mask of tap i when the newest pixel is in `column`. The first REACH columns complete the end of the row
+/// before; taps that belong to the neighbouring row read 0.
+inline Mask mask_at(const Taps& taps, int i, Size column) {
+#pragma HLS INLINE
+  const bool row_before = column < REACH;
+  const bool same_row = i < REACH ? !row_before || column < i : row_before || column >= i;
+  return same_row ? Mask(taps.pixel[i]) : Mask(0);
+}
+
+/// eq. (17) around the centre.
 inline ap_uint<2> window_sum(const Taps& taps, Size column, ap_uint<1> run_rule) {
 #pragma HLS INLINE
-  const Mask right2 = column < 2 ? Mask(0) : taps.pixel[0];
-  const Mask right1 = column == 1 ? Mask(0) : taps.pixel[1];
-  const Mask left1 = column == 2 ? Mask(0) : taps.pixel[3];
-  const Mask left2 = column == 2 || column == 3 ? Mask(0) : taps.pixel[4];
-  const Mask any = right2 | right1 | taps.pixel[2] | left1 | left2;
-  const ap_uint<2> sum = ap_uint<1>(right1[1]) + ap_uint<1>(taps.pixel[2][1]) + ap_uint<1>(left1[1]);
+  Mask any = 0;
+ANY:
+  for (int i = 0; i < TAPS; ++i) {
+#pragma HLS UNROLL
+    any = any | mask_at(taps, i, column);
+  }
+  const Mask right = mask_at(taps, REACH - 1, column), left = mask_at(taps, REACH + 1, column);
+  const ap_uint<2> sum = ap_uint<1>(right[1]) + ap_uint<1>(taps.pixel[REACH][1]) + ap_uint<1>(left[1]);
   return run_rule ? ap_uint<2>(any) : sum;
 }
 
@@ -142,7 +164,8 @@ inline Size clamp_column(Coordinate column, Size width) {
 
 /// Feeds a_r of `row` to the rule. True when a run ended here as a contact, which is then in `contact`.
 inline bool apply_rule(const RuleParameters& rule, const LineSetup& line, Size row, bool line_ends,
-                       Coordinate column, ap_uint<2> window, LineState& state, Contact& contact) {
+                       Coordinate column, ap_uint<2> window, ap_uint<1> moves, LineState& state,
+                       Contact& contact) {
 #pragma HLS INLINE
   const bool in_run = state.present != 0;
   const bool first_counts = rule.run_rule && line.contact_first;
@@ -151,6 +174,9 @@ inline bool apply_rule(const RuleParameters& rule, const LineSetup& line, Size r
     const Size high_rows = (in_run ? state.score : Size(0)) + ap_uint<1>(window[1]);
     const Size triangle = window <= state.present ? Size(state.score + 1) : Size(0);
     state.score = rule.run_rule ? high_rows : triangle;
+    const ap_uint<3> still_before = in_run ? state.still_rows : ap_uint<3>(0);
+    const bool enough = still_before == STILL_ROWS;
+    state.still_rows = moves ? ap_uint<3>(0) : enough ? still_before : ap_uint<3>(still_before + 1);
     if (!in_run) state.first_row = row;
     if (!in_run || !first_counts) state.contact_column = column;
     state.last_row = row;
@@ -168,6 +194,7 @@ inline bool apply_rule(const RuleParameters& rule, const LineSetup& line, Size r
   const Size contact_row = first_counts ? state.first_row : state.last_row;
   const ap_int<24> least_rows = ((contact_row - rule.horizon_row) * rule.height_ratio) >> 8;
   const bool tall = rows >= rule.min_rows && rows >= least_rows && 3 * state.score >= rows;
+  const bool still = state.still_rows == STILL_ROWS || line.contact_first || !gap_ends;
   const bool triangle = state.score > TRIANGLE_SCORE;
 
   contact.u = state.contact_column;
@@ -175,18 +202,18 @@ inline bool apply_rule(const RuleParameters& rule, const LineSetup& line, Size r
   contact.rows = rule.run_rule ? rows : state.score;
   contact.clipped = !gap_ends;
   contact.end = 0;
-  return ended && (rule.run_rule ? tall : triangle);
+  return ended && (rule.run_rule ? tall && still : triangle);
 }
 
 }  // namespace polar_engine
 
-/// Mask (width * height pixels) -> contacts, in the order of their deciding rows, and one LineCount a line at
-/// frame end. Widths of at least LINE_SLACK, up to MAX_WIDTH; lines: host memory of MAX_LINES entries, read
-/// once a row.
+/// Mask and moves (width * height pixels) -> contacts, in the order of their deciding rows, and one LineCount
+/// a line at frame end. Widths of at least LINE_SLACK, up to MAX_WIDTH; lines: host memory of MAX_LINES
+/// entries, read once a row.
 template <int MAX_WIDTH, int MAX_HEIGHT, int MAX_LINES>
-void polar(hls::stream<Mask>& mask, hls::stream<Contact>& contacts, hls::stream<LineCount>& counts,
-           Size width, Size height, ap_uint<9> line_count, const RuleParameters& rule,
-           const LineSetup lines[MAX_LINES]) {
+void polar(hls::stream<Mask>& mask, hls::stream<ap_uint<1> >& moves, hls::stream<Contact>& contacts,
+           hls::stream<LineCount>& counts, Size width, Size height, ap_uint<9> line_count,
+           const RuleParameters& rule, const LineSetup lines[MAX_LINES]) {
   static_assert(MAX_LINES <= 256, "LineIndex holds 8 bits: at most 256 lines");
   using namespace polar_engine;
   // Row v lies in half v & 1. Two copies, one for each end of a run.
@@ -200,7 +227,7 @@ void polar(hls::stream<Mask>& mask, hls::stream<Contact>& contacts, hls::stream<
   const Size free_columns = width < LINE_SLACK ? Size(0) : Size(width - LINE_SLACK);
   const ap_uint<9> walked = line_count < free_columns ? line_count : ap_uint<9>(free_columns);
   const Size tail = LINE_DELAY + walked;
-  Taps taps = {{0, 0, 0, 0, 0}};
+  Taps taps = {};
   Size high_before = 0;
 
   if (walked == 0) {
@@ -220,17 +247,21 @@ CYCLES:
 #pragma HLS DEPENDENCE variable = states inter false
     // The row that comes in.
     const bool streaming = at.v < height;
-    Mask pixel = 0;
-    if (streaming) pixel = mask.read();
+    Sample pixel = 0;
+    if (streaming) {
+      const Mask bits = mask.read();
+      pixel = (moves.read(), bits);
+    }
     shift(taps, pixel);
-    const bool row_before = at.u < 2;
-    const Size centre = row_before ? Size(width + at.u - 2) : Size(at.u - 2);
+    const bool row_before = at.u < REACH;
+    const Size centre = row_before ? Size(width + at.u - REACH) : Size(at.u - REACH);
     const ap_uint<1> centre_half = at.v[0] ^ ap_uint<1>(row_before);
-    const Summary summary = {high_before, ap_uint<1>(taps.pixel[2][1]),
-                             window_sum(taps, at.u, rule.run_rule)};
+    const Sample middle = taps.pixel[REACH];
+    const Summary summary = {high_before, ap_uint<1>(middle[1]), window_sum(taps, at.u, rule.run_rule),
+                             ap_uint<1>(middle[2])};
     left_columns[centre][centre_half] = summary;
     right_columns[centre][centre_half] = summary;
-    high_before = at.u == 1 ? Size(0) : Size(high_before + summary.high);
+    high_before = at.u == REACH - 1 ? Size(0) : Size(high_before + summary.high);
 
     // The row before, one line.
     const Size row = at.v - 1;
@@ -245,13 +276,13 @@ CYCLES:
         const Summary right = right_columns[clamp_column(step.right, width)][half];
         const bool in_image = step.left < width && step.right >= 0;
         if (in_image) next.count += right.before + right.high - left.before;
-        const ap_uint<2> window = line.leftward ? ap_uint<2>(right.window) : ap_uint<2>(left.window);
+        const Summary first = line.leftward ? right : left;
         const bool first_in_image = step.first >= 0 && step.first < width;
         const bool line_ends = row == line.last_row || !streaming;
         Contact contact;
         contact.line = index;
-        if (apply_rule(rule, line, row, line_ends, step.first, first_in_image ? window : ap_uint<2>(0), next,
-                       contact)) {
+        if (apply_rule(rule, line, row, line_ends, step.first, first_in_image ? first.window : ap_uint<2>(0),
+                       first.moves, next, contact)) {
           contacts.write(contact);
         }
         states[index] = next;

@@ -34,7 +34,6 @@ std::array<std::uint32_t, FLOORLINE_PARAMETER_COUNT> register_values(const Frame
   at(FLOORLINE_HEIGHT) = p.height.to_uint();
   at(FLOORLINE_GREY) = p.grey.to_uint();
   at(FLOORLINE_REPLACE_REFERENCE) = p.replace_reference.to_uint();
-  at(FLOORLINE_TOLERANT) = p.tolerant.to_uint();
   at(FLOORLINE_ERODE_HIGH) = p.erode_high.to_uint();
   at(FLOORLINE_ROI_FIRST_ROW) = p.roi_first_row.to_uint();
   at(FLOORLINE_ROI_LAST_ROW) = p.roi_last_row.to_uint();
@@ -51,6 +50,9 @@ std::array<std::uint32_t, FLOORLINE_PARAMETER_COUNT> register_values(const Frame
   at(FLOORLINE_THRESHOLD_FLOOR) = p.threshold.floor.to_uint();
   at(FLOORLINE_THRESHOLD_OVERRIDE_HIGH) = p.threshold.override_high.to_uint();
   at(FLOORLINE_THRESHOLD_LOW) = p.threshold.low.to_uint();
+  at(FLOORLINE_DISPLACEMENT_NOISE) = p.displacement.noise.to_uint();
+  at(FLOORLINE_DISPLACEMENT_BOUND) = signed_bits(p.displacement.bound, 0xffffff);
+  at(FLOORLINE_DISPLACEMENT_BOUND_STEP) = signed_bits(p.displacement.bound_step, 0xffffff);
   at(FLOORLINE_RULE_RUN_RULE) = p.rule.run_rule.to_uint();
   at(FLOORLINE_RULE_MIN_ROWS) = p.rule.min_rows.to_uint();
   at(FLOORLINE_RULE_MAX_GAP) = p.rule.max_gap.to_uint();

@@ -58,14 +58,24 @@ double representable_ratio(double ratio) {
   return std::min(std::round(ratio * 256) / 256, most);
 }
 
+/// Q8.16.
+int fixed_bound(double pixels) { return static_cast<int>(std::lround(std::ldexp(pixels, 16))); }
+
+/// As the registers hold it.
+double representable_bound(double pixels) {
+  constexpr double most = 127;
+  return std::ldexp(fixed_bound(std::clamp(pixels, -most, most)), -16);
+}
+
 }  // namespace
 
 Settings paper_settings() {
   Settings settings;
   settings.threshold = {.floor = 0, .override_high = 0, .low = 0};
   settings.rule = golden::Rule::paper;
-  settings.tolerant = false;
   settings.erode = true;
+  settings.line_count = 120;
+  settings.cluster_gap_m = 0;
   settings.min_lines = 1;
   settings.reference.every = 1;
   return settings;
@@ -73,7 +83,11 @@ Settings paper_settings() {
 
 Configuration::Configuration(const Camera& camera, const Eigen::Isometry3d& robot_from_camera,
                              const Settings& settings)
-    : camera_(camera), robot_from_camera_(robot_from_camera), reference_rule_(settings.reference) {
+    : camera_(camera),
+      robot_from_camera_(robot_from_camera),
+      reference_rule_(settings.reference),
+      still_px_(settings.still_px),
+      still_rows_(settings.still_rows) {
   ring_rows_ = ring_rows_for(camera.size);
   const Eigen::Matrix3d birdseye = floor_from_pixel(camera.matrix, robot_from_camera);
   require_floor_in_view(camera, robot_from_camera);
@@ -85,7 +99,6 @@ Configuration::Configuration(const Camera& camera, const Eigen::Isometry3d& robo
                                                  .line_count = settings.line_count});
   lines_ = line_table(beam, camera.size);
 
-  base_.tolerant = settings.tolerant;
   base_.erode_high = settings.erode;
   base_.roi_first_row = roi_.y;
   base_.roi_last_row = roi_.br().y - 1;
@@ -100,8 +113,14 @@ Configuration::Configuration(const Camera& camera, const Eigen::Isometry3d& robo
       .horizon_row = std::max(std::round(horizon), -double(camera.size.height)),
       .height_ratio = representable_ratio(settings.least_height_m / robot_from_camera.translation().z())};
   for (const BeamLine& line : beam) base_.lines.push_back({line.first, line.last, line.contact_first});
+  base_.displacement.noise = settings.noise;
   base_.cluster_gap_m = settings.cluster_gap_m;
   base_.min_lines = settings.min_lines;
+}
+
+double Configuration::parallax_share(double baseline_m) const {
+  const double cosine_of_pitch = -robot_from_camera_.linear()(2, 1);
+  return baseline_m * cosine_of_pitch / (camera_.matrix(1, 1) * robot_from_camera_.translation().z());
 }
 
 ReferencePlan Configuration::reference_plan() const {
@@ -112,6 +131,10 @@ golden::Parameters Configuration::golden_parameters(const PlannedFrame& frame) c
   golden::Parameters parameters = base_;
   parameters.replace_reference = frame.replace;
   parameters.homography = to_opencv(frame.homography);
+  // The epipole of a robot that drives ahead lies on the horizon.
+  const double step = still_rows_ * parallax_share(frame.baseline_m);
+  parameters.displacement.bound_step_px = representable_bound(step);
+  parameters.displacement.bound_px = representable_bound(still_px_ - step * base_.rule.horizon_row);
   return parameters;
 }
 
@@ -121,7 +144,6 @@ FrameParameters Configuration::frame_parameters(const PlannedFrame& frame, bool 
   parameters.height = camera_.size.height;
   parameters.grey = grey;
   parameters.replace_reference = frame.replace;
-  parameters.tolerant = base_.tolerant;
   parameters.erode_high = base_.erode_high;
   parameters.roi_first_row = base_.roi_first_row;
   parameters.roi_last_row = base_.roi_last_row;
@@ -132,6 +154,10 @@ FrameParameters Configuration::frame_parameters(const PlannedFrame& frame, bool 
   parameters.threshold.floor = base_.threshold.floor;
   parameters.threshold.override_high = base_.threshold.override_high;
   parameters.threshold.low = base_.threshold.low;
+  const golden::DisplacementParameters displacement = golden_parameters(frame).displacement;
+  parameters.displacement.noise = displacement.noise;
+  parameters.displacement.bound = fixed_bound(displacement.bound_px);
+  parameters.displacement.bound_step = fixed_bound(displacement.bound_step_px);
   parameters.rule.run_rule = base_.rule.kind == golden::Rule::run;
   parameters.rule.min_rows = base_.rule.min_rows;
   parameters.rule.max_gap = base_.rule.max_gap;

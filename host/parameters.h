@@ -20,19 +20,21 @@ struct Settings {
   golden::Thresholds threshold = {};
   golden::Rule rule = golden::Rule::run;
   int min_rows = 12;             ///< Least rows of a run.
-  int max_gap = 3;               ///< Rows without a low pixel that a run survives.
-  double least_height_m = 0.06;  ///< Runs shorter than an obstacle of this height would be are dropped.
-  bool tolerant = true;          ///< Difference by the range of the 2x2 cell.
+  int max_gap = 2;               ///< Rows without a low pixel that a run survives.
+  double least_height_m = 0.08;  ///< Runs shorter than an obstacle of this height would be are dropped.
   bool erode = false;            ///< Erosion of the high mask.
-  int line_count = 120;
-  int roi_margin_rows = 20;     ///< Rows between the horizon and the first one that is looked at.
-  double cluster_gap_m = 0.25;  ///< Points of neighbouring lines nearer than this are one obstacle.
-  int min_lines = 2;            ///< Least lines of an obstacle.
+  int line_count = 256;
+  int roi_margin_rows = 20;    ///< Rows between the horizon and the first one that is looked at.
+  double cluster_gap_m = 0.5;  ///< Points of neighbouring lines nearer than this are one obstacle.
+  int min_lines = 2;           ///< Least lines of an obstacle.
+  int noise = 2;          ///< Grey levels of difference and gradient that the sensor owes; 255: no foot test.
+  double still_px = 0.8;  ///< What a foot may seem to have moved, for noise and odometry...
+  double still_rows = 3;  ///< ...and as much more as an obstacle moves so many rows above its foot.
   ReferenceRule reference = {};
 };
 
-/// The settings of the ICVS paper: its rule, erosion, Otsu's threshold alone, plain difference of successive
-/// frames.
+/// The settings of the ICVS paper: its rule on 120 lines, erosion, Otsu's threshold alone, difference of
+/// successive frames, each line its own report.
 Settings paper_settings();
 
 /// The lens that rectifies the frames of a camera, bilinear; none for a camera without distortion.
@@ -51,6 +53,10 @@ class Configuration {
   /// Throws Error when a matrix cannot be packed within its error bound. `grey` as in FrameParameters.
   FrameParameters frame_parameters(const PlannedFrame& frame, bool grey) const;
 
+  /// Pixels that a point one row above its foot moves against the floor, per pixel of its distance from the
+  /// epipole, with the robot moved by baseline_m: kappa of docs/detection.md.
+  double parallax_share(double baseline_m) const;
+
   const std::vector<LineSetup>& lines() const { return lines_; }
   cv::Rect roi() const { return roi_; }  ///< All columns; rows from below the horizon to the last.
   int ring_rows() const { return ring_rows_; }
@@ -65,7 +71,9 @@ class Configuration {
   cv::Rect roi_;
   int ring_rows_;
   std::vector<LineSetup> lines_;
-  golden::Parameters base_;  ///< All but the homography and the reference bit.
+  golden::Parameters base_;  ///< All but what a frame's homography, baseline and reference bit give.
+  double still_px_;
+  double still_rows_;
 };
 
 }  // namespace floorline

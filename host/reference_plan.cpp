@@ -28,6 +28,7 @@ PlannedFrame ReferencePlan::next(const Eigen::Isometry3d& world_from_robot) {
     const Eigen::Vector2d middle(roi_.x + (roi_.width - 1) / 2.0, roi_.y + (roi_.height - 1) / 2.0);
     plan.homography =
         scaled_at(ground_homography(camera_.matrix, robot_from_camera_, reference_from_current), middle);
+    plan.baseline_m = reference_from_current.translation().norm();
     plan.parallax_px = parallax_px(plan.homography, reference_from_current);
     const bool far_enough =
         rule_.every > 0 ? frame_ - reference_ >= rule_.every : plan.parallax_px >= rule_.parallax_px;

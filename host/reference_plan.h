@@ -25,6 +25,7 @@ struct PlannedFrame {
   Eigen::Matrix3d homography =
       Eigen::Matrix3d::Identity();  ///< Current pixel -> reference pixel, 1 in the middle of the ROI.
   double parallax_px = 0;           ///< Of the pair.
+  double baseline_m = 0;            ///< Distance that the robot moved from one to the other.
   bool mature =
       false;  ///< The baseline is as long as wanted and no row of the ROI is lost: worth detecting in.
 };

@@ -54,7 +54,6 @@ module axil_registers (
     output wire [11:0]  height,
     output wire         grey,
     output wire         replace_reference,
-    output wire         tolerant,
     output wire         erode_high,
     output wire [11:0]  roi_first_row,
     output wire [11:0]  roi_last_row,
@@ -81,6 +80,9 @@ module axil_registers (
     output wire [7:0]   threshold_floor,
     output wire [7:0]   threshold_override_high,
     output wire [7:0]   threshold_low,
+    output wire [7:0]   displacement_noise,
+    output wire [23:0]  displacement_bound,
+    output wire [23:0]  displacement_bound_step,
     output wire         rule_run_rule,
     output wire [11:0]  rule_min_rows,
     output wire [11:0]  rule_max_gap,
@@ -100,7 +102,7 @@ module axil_registers (
     wire         in_registers  = (write_address[10:6] == 5'd0);
     wire         in_parameters = (write_address[10:6] == 5'd1);
     wire [5:0]   write_index   = write_address[5:0];
-    wire         write_mapped  = in_lines || (in_parameters && write_index <= 6'd36) ||
+    wire         write_mapped  = in_lines || (in_parameters && write_index <= 6'd38) ||
                                  (in_registers && (write_index == 6'd3 || write_index == 6'd4 || write_index == 6'd5 || write_index == 6'd6));
 
     reg          loading_reg;
@@ -179,7 +181,7 @@ module axil_registers (
     always @(posedge clk) begin
         from_store_reg  <= read_address[6];
         read_mapped_reg <= read_address[10:7] == 4'd0 &&
-                           read_address[5:0] <= (read_address[6] ? 6'd36 : 6'd15);
+                           read_address[5:0] <= (read_address[6] ? 6'd38 : 6'd15);
         case (read_address[5:0])
             6'd0: register_data_reg <= 32'h464c5231;
             6'd1: register_data_reg <= 32'h00000100;
@@ -216,14 +218,14 @@ module axil_registers (
     reg [5:0] loaded_index_reg;
 
     always @(posedge clk) begin
-        reading_store_reg <= loading_reg && !(reading_store_reg && load_index_reg == 6'd36);
+        reading_store_reg <= loading_reg && !(reading_store_reg && load_index_reg == 6'd38);
         load_index_reg    <= reading_store_reg ? load_index_reg + 1'b1 : 6'd0;
         loaded_reg        <= reading_store_reg;
         loaded_index_reg  <= load_index_reg;
-        load_done         <= loaded_reg && loaded_index_reg == 6'd36;
+        load_done         <= loaded_reg && loaded_index_reg == 6'd38;
         if (load)
             loading_reg <= 1'b1;
-        else if (reading_store_reg && load_index_reg == 6'd36)
+        else if (reading_store_reg && load_index_reg == 6'd38)
             loading_reg <= 1'b0;
 
         if (rst) begin
@@ -239,7 +241,6 @@ module axil_registers (
     reg [11:0] height_reg;
     reg        grey_reg;
     reg        replace_reference_reg;
-    reg        tolerant_reg;
     reg        erode_high_reg;
     reg [11:0] roi_first_row_reg;
     reg [11:0] roi_last_row_reg;
@@ -266,6 +267,9 @@ module axil_registers (
     reg [7:0]  threshold_floor_reg;
     reg [7:0]  threshold_override_high_reg;
     reg [7:0]  threshold_low_reg;
+    reg [7:0]  displacement_noise_reg;
+    reg [23:0] displacement_bound_reg;
+    reg [23:0] displacement_bound_step_reg;
     reg        rule_run_rule_reg;
     reg [11:0] rule_min_rows_reg;
     reg [11:0] rule_max_gap_reg;
@@ -277,7 +281,6 @@ module axil_registers (
     assign height = height_reg;
     assign grey = grey_reg;
     assign replace_reference = replace_reference_reg;
-    assign tolerant = tolerant_reg;
     assign erode_high = erode_high_reg;
     assign roi_first_row = roi_first_row_reg;
     assign roi_last_row = roi_last_row_reg;
@@ -304,6 +307,9 @@ module axil_registers (
     assign threshold_floor = threshold_floor_reg;
     assign threshold_override_high = threshold_override_high_reg;
     assign threshold_low = threshold_low_reg;
+    assign displacement_noise = displacement_noise_reg;
+    assign displacement_bound = displacement_bound_reg;
+    assign displacement_bound_step = displacement_bound_step_reg;
     assign rule_run_rule = rule_run_rule_reg;
     assign rule_min_rows = rule_min_rows_reg;
     assign rule_max_gap = rule_max_gap_reg;
@@ -318,39 +324,41 @@ module axil_registers (
                 6'd1: height_reg <= store_data_reg[11:0];
                 6'd2: grey_reg <= store_data_reg[0];
                 6'd3: replace_reference_reg <= store_data_reg[0];
-                6'd4: tolerant_reg <= store_data_reg[0];
-                6'd5: erode_high_reg <= store_data_reg[0];
-                6'd6: roi_first_row_reg <= store_data_reg[11:0];
-                6'd7: roi_last_row_reg <= store_data_reg[11:0];
-                6'd8: line_count_reg <= store_data_reg[8:0];
-                6'd9: cluster_gap_reg <= store_data_reg[23:0];
-                6'd10: homography_xu_reg <= store_data_reg;
-                6'd11: homography_xv_reg <= store_data_reg;
-                6'd12: homography_x1_reg <= store_data_reg;
-                6'd13: homography_yu_reg <= store_data_reg;
-                6'd14: homography_yv_reg <= store_data_reg;
-                6'd15: homography_y1_reg <= store_data_reg;
-                6'd16: homography_zu_reg <= store_data_reg;
-                6'd17: homography_zv_reg <= store_data_reg;
-                6'd18: homography_z1_reg <= store_data_reg;
-                6'd19: birdseye_xu_reg <= store_data_reg;
-                6'd20: birdseye_xv_reg <= store_data_reg;
-                6'd21: birdseye_x1_reg <= store_data_reg;
-                6'd22: birdseye_yu_reg <= store_data_reg;
-                6'd23: birdseye_yv_reg <= store_data_reg;
-                6'd24: birdseye_y1_reg <= store_data_reg;
-                6'd25: birdseye_zu_reg <= store_data_reg;
-                6'd26: birdseye_zv_reg <= store_data_reg;
-                6'd27: birdseye_z1_reg <= store_data_reg;
-                6'd28: threshold_floor_reg <= store_data_reg[7:0];
-                6'd29: threshold_override_high_reg <= store_data_reg[7:0];
-                6'd30: threshold_low_reg <= store_data_reg[7:0];
-                6'd31: rule_run_rule_reg <= store_data_reg[0];
-                6'd32: rule_min_rows_reg <= store_data_reg[11:0];
-                6'd33: rule_max_gap_reg <= store_data_reg[11:0];
-                6'd34: rule_horizon_row_reg <= store_data_reg[12:0];
-                6'd35: rule_height_ratio_reg <= store_data_reg[9:0];
-                6'd36: rule_min_lines_reg <= store_data_reg[7:0];
+                6'd4: erode_high_reg <= store_data_reg[0];
+                6'd5: roi_first_row_reg <= store_data_reg[11:0];
+                6'd6: roi_last_row_reg <= store_data_reg[11:0];
+                6'd7: line_count_reg <= store_data_reg[8:0];
+                6'd8: cluster_gap_reg <= store_data_reg[23:0];
+                6'd9: homography_xu_reg <= store_data_reg;
+                6'd10: homography_xv_reg <= store_data_reg;
+                6'd11: homography_x1_reg <= store_data_reg;
+                6'd12: homography_yu_reg <= store_data_reg;
+                6'd13: homography_yv_reg <= store_data_reg;
+                6'd14: homography_y1_reg <= store_data_reg;
+                6'd15: homography_zu_reg <= store_data_reg;
+                6'd16: homography_zv_reg <= store_data_reg;
+                6'd17: homography_z1_reg <= store_data_reg;
+                6'd18: birdseye_xu_reg <= store_data_reg;
+                6'd19: birdseye_xv_reg <= store_data_reg;
+                6'd20: birdseye_x1_reg <= store_data_reg;
+                6'd21: birdseye_yu_reg <= store_data_reg;
+                6'd22: birdseye_yv_reg <= store_data_reg;
+                6'd23: birdseye_y1_reg <= store_data_reg;
+                6'd24: birdseye_zu_reg <= store_data_reg;
+                6'd25: birdseye_zv_reg <= store_data_reg;
+                6'd26: birdseye_z1_reg <= store_data_reg;
+                6'd27: threshold_floor_reg <= store_data_reg[7:0];
+                6'd28: threshold_override_high_reg <= store_data_reg[7:0];
+                6'd29: threshold_low_reg <= store_data_reg[7:0];
+                6'd30: displacement_noise_reg <= store_data_reg[7:0];
+                6'd31: displacement_bound_reg <= store_data_reg[23:0];
+                6'd32: displacement_bound_step_reg <= store_data_reg[23:0];
+                6'd33: rule_run_rule_reg <= store_data_reg[0];
+                6'd34: rule_min_rows_reg <= store_data_reg[11:0];
+                6'd35: rule_max_gap_reg <= store_data_reg[11:0];
+                6'd36: rule_horizon_row_reg <= store_data_reg[12:0];
+                6'd37: rule_height_ratio_reg <= store_data_reg[9:0];
+                6'd38: rule_min_lines_reg <= store_data_reg[7:0];
                 default: ;
             endcase
         end

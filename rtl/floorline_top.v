@@ -19,7 +19,7 @@
 module floorline_top #(
     parameter MAX_WIDTH  = 640,  // as generated; here for LIMITS and for refusing what the core cannot hold
     parameter MAX_HEIGHT = 480,
-    parameter LOG2_LINES = 7     // lines of the table
+    parameter LOG2_LINES = 8     // lines of the table
 ) (
     input  wire         aclk,
     input  wire         aresetn,
@@ -88,7 +88,6 @@ module floorline_top #(
     wire [11:0]  height;
     wire         grey;
     wire         replace_reference;
-    wire         tolerant;
     wire         erode_high;
     wire [11:0]  roi_first_row;
     wire [11:0]  roi_last_row;
@@ -115,6 +114,9 @@ module floorline_top #(
     wire [7:0]   threshold_floor;
     wire [7:0]   threshold_override_high;
     wire [7:0]   threshold_low;
+    wire [7:0]   displacement_noise;
+    wire [23:0]  displacement_bound;
+    wire [23:0]  displacement_bound_step;
     wire         rule_run_rule;
     wire [11:0]  rule_min_rows;
     wire [11:0]  rule_max_gap;
@@ -170,7 +172,6 @@ module floorline_top #(
         .height              (height),
         .grey                (grey),
         .replace_reference   (replace_reference),
-        .tolerant            (tolerant),
         .erode_high          (erode_high),
         .roi_first_row       (roi_first_row),
         .roi_last_row        (roi_last_row),
@@ -197,6 +198,9 @@ module floorline_top #(
         .threshold_floor     (threshold_floor),
         .threshold_override_high (threshold_override_high),
         .threshold_low       (threshold_low),
+        .displacement_noise  (displacement_noise),
+        .displacement_bound  (displacement_bound),
+        .displacement_bound_step (displacement_bound_step),
         .rule_run_rule       (rule_run_rule),
         .rule_min_rows       (rule_min_rows),
         .rule_max_gap        (rule_max_gap),
@@ -375,7 +379,6 @@ module floorline_top #(
         .parameters_height_V                     (height),
         .parameters_grey_V                       (grey),
         .parameters_replace_reference_V          (replace_reference),
-        .parameters_tolerant_V                   (tolerant),
         .parameters_erode_high_V                 (erode_high),
         .parameters_roi_first_row_V              (roi_first_row),
         .parameters_roi_last_row_V               (roi_last_row),
@@ -402,6 +405,9 @@ module floorline_top #(
         .parameters_threshold_floor_V            (threshold_floor),
         .parameters_threshold_override_high_V    (threshold_override_high),
         .parameters_threshold_low_V              (threshold_low),
+        .parameters_displacement_noise_V         (displacement_noise),
+        .parameters_displacement_bound_V         (displacement_bound),
+        .parameters_displacement_bound_step_V    (displacement_bound_step),
         .parameters_rule_run_rule_V              (rule_run_rule),
         .parameters_rule_min_rows_V              (rule_min_rows),
         .parameters_rule_max_gap_V               (rule_max_gap),

@@ -6,7 +6,7 @@
 `default_nettype none
 
 module line_table #(
-    parameter LOG2_LINES = 7  // lines of a bank
+    parameter LOG2_LINES = 8  // lines of a bank
 ) (
     input  wire                     clk,
 

@@ -9,7 +9,7 @@ build release floorline
 floorline=build/release/bin/floorline
 out=out/demo
 mkdir -p out
-settings=(--settings apps/settings/indoor.yaml --baseline 4)
+settings=(--baseline 4)
 
 say "rendering scenes/demo.yaml"
 "$floorline" render scenes/demo.yaml --output "$out/sequence" --force

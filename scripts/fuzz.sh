@@ -30,7 +30,7 @@ seeds() {
             printf '%%YAML:1.0\n---\nimage_width: 16\nimage_height: 12\ncamera_matrix: !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: [20., 0., 8., 0., 20., 6., 0., 0., 1.]\ndistortion_coefficients: {rows: 1, cols: 5, data: [.1, 0, 0, 0, 0]}\n' >"$folder/camera.yaml"
             printf 'robot_from_camera: [0, 0, 1, .1,  -1, 0, 0, 0,  0, -1, 0, .6,  0, 0, 0, 1]\n' >"$folder/mount.yaml"
             printf 'name: room\nwidth: 16\nheight: 12\nframe_count: 1\nfps: 25\nsource: rendered\nhas_truth: false\n' >"$folder/sequence.yaml"
-            printf 'rule: run\nmin_rows: 12\nleast_height_m: .06\ntolerant: true\nreference_every: 4\n' >"$folder/settings.yaml"
+            printf 'rule: run\nmin_rows: 12\nleast_height_m: .06\nnoise: 3\nreference_every: 4\n' >"$folder/settings.yaml"
             ;;
         table)
             printf 'frame,timestamp_s,x_m,y_m,yaw_rad\n0,0.0,0,0,0\n1,0.04,.01,-1e-3,.02\n' >"$folder/odometry.csv"

@@ -157,7 +157,8 @@ TEST_F(CommandTest, BothModelsWriteTablesAndStages) {
     EXPECT_EQ(text_of(folder_ / model / "contacts.csv").substr(0, 29), "frame,mature,line,u,v,rows,cl")
         << model;
     EXPECT_TRUE(fs::exists(folder_ / model / "obstacles.csv"));
-    for (const char* stage : {"luma", "frame_ring", "difference", "gaussian", "binarize", "erode", "roi"})
+    for (const char* stage :
+         {"luma", "frame_ring", "difference", "displacement", "gaussian", "binarize", "erode", "roi"})
       EXPECT_EQ(entries(folder_ / model / "stages" / stage), 6u) << stage;
   }
   const cv::Mat golden =

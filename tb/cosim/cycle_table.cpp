@@ -18,7 +18,6 @@ FrameParameters parameters(cv::Size size) {
   p.height = size.height;
   p.grey = 1;
   p.replace_reference = 1;
-  p.tolerant = 1;
   p.erode_high = 0;
   p.roi_last_row = size.height - 1;
   p.cluster_gap = 1 << 14;
@@ -29,6 +28,7 @@ FrameParameters parameters(cv::Size size) {
   p.birdseye.z1 = 1 << 28;
   p.threshold.floor = 20;
   p.threshold.low = 10;
+  p.displacement.noise = 255;
   p.rule.run_rule = 1;
   p.rule.min_rows = 3;
   p.rule.max_gap = 3;
@@ -38,7 +38,7 @@ FrameParameters parameters(cv::Size size) {
 
 /// As many lines as the polar engine walks at this width, at most the default number of host/parameters.h.
 std::vector<LineSetup> lines(cv::Size size) {
-  constexpr int kLessThanWidth = 16, kMost = 120;
+  constexpr int kLessThanWidth = 16, kMost = 256;
   const int count = std::min(kMost, size.width - kLessThanWidth);
   if (count < 1) return {};
   const Eigen::Vector3d focus(size.width / 2.0, 4.0 * size.height, 1);

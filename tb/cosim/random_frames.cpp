@@ -71,7 +71,6 @@ ProjectiveMap RandomFrames::birdseye(cv::Size size) {
 FrameParameters RandomFrames::parameters(cv::Size size) {
   FrameParameters p = {};
   p.replace_reference = chance(0.6);
-  p.tolerant = chance(0.5);
   p.erode_high = chance(0.5);
   const int first = number(0, size.height - 1), last = number(0, size.height - 1);
   p.roi_first_row = chance(0.5) ? 0 : std::min(first, last);
@@ -82,6 +81,9 @@ FrameParameters RandomFrames::parameters(cv::Size size) {
   p.threshold.floor = number(0, 40);
   p.threshold.override_high = chance(0.5) ? 0 : number(1, 120);
   p.threshold.low = number(0, 40);
+  p.displacement.noise = chance(0.3) ? 255 : number(0, 8);
+  p.displacement.bound = number(-(1 << 17), 1 << 20);
+  p.displacement.bound_step = number(-(1 << 10), 1 << 12);
   p.rule.run_rule = chance(0.7);
   p.rule.min_rows = number(0, 12);
   p.rule.max_gap = number(0, 6);
@@ -93,7 +95,7 @@ FrameParameters RandomFrames::parameters(cv::Size size) {
 
 std::vector<LineSetup> RandomFrames::lines(cv::Size size) {
   constexpr int kLessThanWidth = 16;  // the polar engine's rule
-  constexpr int kMostLines = 128;
+  constexpr int kMostLines = 256;
   const int most = std::min(kMostLines, size.width - kLessThanWidth);
   if (most < 1 || chance(0.05)) return {};
   while (true) {

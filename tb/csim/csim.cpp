@@ -72,6 +72,8 @@ void run_captured(hls::stream<RgbPixel>& pixels, hls::stream<FloorPoint>& points
   hls::stream<Pixel> luma_out("luma_out"), difference_out("difference_out"), blurred("blurred"),
       measured("measured"), thresholds("thresholds");
   hls::stream<PixelPair> pairs("pairs");
+  hls::stream<Change> changes("changes");
+  hls::stream<ap_uint<1>> moves("moves");
   hls::stream<Mask> binary("binary"), eroded("eroded"), region("region");
   hls::stream<Contact> contacts("contacts");
   hls::stream<FloorPoint> floor_points("floor_points"), candidates("candidates");
@@ -80,12 +82,13 @@ void run_captured(hls::stream<RgbPixel>& pixels, hls::stream<FloorPoint>& points
   capture.luma = tap(luma_out, size);
   frame_ring<kWidth, kHeight, Config::MARGIN>(luma_out, pairs, null_pixels, p.width, p.height,
                                               p.replace_reference, p.homography);
-  capture.nearest = tap(pairs, size, [](const PixelPair& pair) { return pair.nearest; });
-  capture.low = tap(pairs, size, [](const PixelPair& pair) { return pair.low; });
-  capture.high = tap(pairs, size, [](const PixelPair& pair) { return pair.high; });
+  capture.reference = tap(pairs, size, [](const PixelPair& pair) { return pair.reference; });
+  capture.gradient = tap(pairs, size, [](const PixelPair& pair) { return pair.gradient; });
   capture.valid = tap(pairs, size, [](const PixelPair& pair) { return pair.valid; });
-  difference<kWidth, kHeight>(pairs, difference_out, p.width, p.height, p.tolerant);
+  difference<kWidth, kHeight>(pairs, difference_out, changes, p.width, p.height);
   capture.difference = tap(difference_out, size);
+  displacement<kWidth, kHeight>(changes, moves, p.width, p.height, p.displacement);
+  capture.moves = 255 * tap(moves, size);
   gaussian<kWidth, kHeight>(difference_out, blurred, p.width, p.height);
   capture.blurred = tap(blurred, size);
   otsu<kWidth, kHeight>(blurred, measured, thresholds, p.width, p.height);
@@ -96,8 +99,8 @@ void run_captured(hls::stream<RgbPixel>& pixels, hls::stream<FloorPoint>& points
   capture.eroded = tap(eroded, size);
   roi<kWidth, kHeight>(eroded, region, p.width, p.height, p.roi_first_row, p.roi_last_row);
   capture.region = tap(region, size);
-  polar<kWidth, kHeight, Config::MAX_LINES>(region, contacts, counts, p.width, p.height, p.line_count, p.rule,
-                                            lines);
+  polar<kWidth, kHeight, Config::MAX_LINES>(region, moves, contacts, counts, p.width, p.height, p.line_count,
+                                            p.rule, lines);
   capture.contacts = drain(contacts);
   for (const Contact& contact : capture.contacts) contacts.write(contact);
   contacts.write(Contact{0, 0, 0, 0, 0, 1});

@@ -21,8 +21,9 @@ struct FrameOutput {
 /// What runs between the stages for one frame. Images CV_8UC1; masks hold 0 to 3 (bit 1 high, bit 0 low).
 struct StageCapture {
   cv::Mat luma;
-  cv::Mat nearest, low, high, valid;  ///< The reference as the homography finds it; valid 0 or 1.
+  cv::Mat reference, gradient, valid;  ///< The reference as the homography finds it; valid 0 or 1.
   cv::Mat difference;
+  cv::Mat moves;  ///< 0 or 255.
   cv::Mat blurred;
   int otsu_threshold;  ///< Otsu's threshold that this frame was offered: found on the frame before.
   cv::Mat binary, eroded, region;

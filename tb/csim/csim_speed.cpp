@@ -15,7 +15,6 @@ int main() {
   const cv::Size size(640, 480);
   FrameParameters parameters = {};
   parameters.replace_reference = 1;
-  parameters.tolerant = 1;
   parameters.erode_high = 1;
   parameters.roi_last_row = size.height - 1;
   parameters.homography.xu = parameters.homography.yv = 1 << 18;

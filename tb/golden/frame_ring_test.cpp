@@ -27,9 +27,9 @@ TEST(FrameRing, HoldsTheReferenceUntilReplaced) {
   const cv::Mat first = random_image(size, CV_8UC1, 256, 1);
   const cv::Mat second = random_image(size, CV_8UC1, 256, 2);
   ring.pair(first, shift(0, 0), true);
-  EXPECT_TRUE(equal(ring.pair(second, shift(0, 0), false).nearest, first));
-  EXPECT_TRUE(equal(ring.pair(second, shift(0, 0), true).nearest, first));
-  EXPECT_TRUE(equal(ring.pair(first, shift(0, 0), false).nearest, second));
+  EXPECT_TRUE(equal(ring.pair(second, shift(0, 0), false).reference, first));
+  EXPECT_TRUE(equal(ring.pair(second, shift(0, 0), true).reference, first));
+  EXPECT_TRUE(equal(ring.pair(first, shift(0, 0), false).reference, second));
 }
 
 TEST(FrameRing, AnotherSizeDropsTheReference) {
@@ -41,30 +41,39 @@ TEST(FrameRing, AnotherSizeDropsTheReference) {
   EXPECT_EQ(cv::countNonZero(ring.pair(random_image(size, CV_8UC1), shift(0, 0), true).valid), size.area());
 }
 
-TEST(FrameRing, NearestRoundsHalvesUp) {
+TEST(FrameRing, BordersLieHalfAPixelOutside) {
   FrameRing ring(roomy);
   const cv::Mat reference = random_image(size, CV_8UC1);
   ring.pair(reference, shift(0, 0), true);
   const PixelPairs pairs = ring.pair(reference, shift(0.5, -0.5), false);
-  EXPECT_EQ(pairs.nearest.at<uchar>(10, 10), reference.at<uchar>(10, 11));
   EXPECT_EQ(pairs.valid.at<uchar>(0, 0), 255) << "y = -0.5 belongs to row 0";
   EXPECT_EQ(pairs.valid.at<uchar>(0, size.width - 1), 0) << "x = width - 0.5 lies outside";
 }
 
-TEST(FrameRing, CellIsTheFourPixelsAround) {
+TEST(FrameRing, ReferenceIsInterpolatedInSixteenths) {
   FrameRing ring(roomy);
   const cv::Mat reference = random_image(size, CV_8UC1);
   ring.pair(reference, shift(0, 0), true);
-  const PixelPairs pairs = ring.pair(reference, shift(0.3, 0.7), false);
-  double least, greatest;
-  cv::minMaxLoc(reference(cv::Rect(12, 7, 2, 2)), &least, &greatest);
-  EXPECT_EQ(pairs.low.at<uchar>(7, 12), least);
-  EXPECT_EQ(pairs.high.at<uchar>(7, 12), greatest);
-  EXPECT_EQ(pairs.nearest.at<uchar>(7, 12), reference.at<uchar>(8, 12));
+  // 0.27 and 0.73 are rounded to 4/16 and 12/16.
+  const PixelPairs pairs = ring.pair(reference, shift(0.27, 0.73), false);
+  const int a = reference.at<uchar>(7, 12), b = reference.at<uchar>(7, 13), c = reference.at<uchar>(8, 12),
+            d = reference.at<uchar>(8, 13);
+  EXPECT_EQ(pairs.reference.at<uchar>(7, 12), (3 * a + b + 9 * c + 3 * d + 8) / 16);
   // In the last column the cell is clamped to one column.
-  cv::minMaxLoc(reference(cv::Rect(size.width - 1, 7, 1, 2)), &least, &greatest);
-  EXPECT_EQ(pairs.low.at<uchar>(7, size.width - 1), least);
-  EXPECT_EQ(pairs.high.at<uchar>(7, size.width - 1), greatest);
+  const int above = reference.at<uchar>(7, size.width - 1), below = reference.at<uchar>(8, size.width - 1);
+  EXPECT_EQ(pairs.reference.at<uchar>(7, size.width - 1), (above + 3 * below + 2) / 4);
+  EXPECT_EQ(pairs.gradient.at<uchar>(7, size.width - 1), std::abs(above - below));
+}
+
+TEST(FrameRing, GradientIsTheGreaterDiagonal) {
+  FrameRing ring(roomy);
+  cv::Mat slope(size, CV_8UC1);
+  for (int v = 0; v < size.height; ++v) {
+    for (int u = 0; u < size.width; ++u) slope.at<uchar>(v, u) = static_cast<uchar>(3 * u + 2 * v);
+  }
+  ring.pair(slope, shift(0, 0), true);
+  const PixelPairs pairs = ring.pair(slope, shift(0.5, 0.5), false);
+  EXPECT_EQ(pairs.gradient.at<uchar>(10, 10), 3 + 2) << "of a plane: both slopes together";
 }
 
 TEST(FrameRing, AReplacingFrameLosesRowsBeyondTheMargin) {
@@ -106,13 +115,12 @@ TEST(FrameRing, AgreesWithWarpPerspective) {
   const PixelPairs pairs = ring.pair(reference, h, false);
   cv::Mat expected;
   cv::warpPerspective(reference, expected, h, size, cv::INTER_LINEAR | cv::WARP_INVERSE_MAP);
-  // The interpolated value lies within the cell, but for OpenCV's 1/32 pixel and rounding.
+  // OpenCV rounds coordinates to 1/32 pixel, the ring to 1/16.
   int compared = 0;
   for (int v = 1; v < size.height - 1; ++v) {
     for (int u = 1; u < size.width - 1; ++u) {
       if (pairs.valid.at<uchar>(v, u) == 0 || pairs.valid.at<uchar>(v - 1, u) == 0) continue;
-      EXPECT_GE(expected.at<uchar>(v, u) + 2, pairs.low.at<uchar>(v, u));
-      EXPECT_LE(expected.at<uchar>(v, u) - 2, pairs.high.at<uchar>(v, u));
+      EXPECT_NEAR(expected.at<uchar>(v, u), pairs.reference.at<uchar>(v, u), 2);
       ++compared;
     }
   }

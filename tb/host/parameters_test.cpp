@@ -42,7 +42,6 @@ TEST(Configuration, GivesBothFormsOfTheSameParameters) {
   EXPECT_EQ(fixed.height.to_int(), 480);
   EXPECT_EQ(fixed.grey.to_int(), 1);
   EXPECT_EQ(fixed.replace_reference.to_int(), golden.replace_reference);
-  EXPECT_EQ(fixed.tolerant.to_int(), golden.tolerant);
   EXPECT_EQ(fixed.erode_high.to_int(), golden.erode_high);
   EXPECT_EQ(fixed.roi_first_row.to_int(), golden.roi_first_row);
   EXPECT_EQ(fixed.roi_last_row.to_int(), golden.roi_last_row);
@@ -51,6 +50,9 @@ TEST(Configuration, GivesBothFormsOfTheSameParameters) {
   EXPECT_EQ(fixed.threshold.floor.to_int(), golden.threshold.floor);
   EXPECT_EQ(fixed.threshold.override_high.to_int(), golden.threshold.override_high);
   EXPECT_EQ(fixed.threshold.low.to_int(), golden.threshold.low);
+  EXPECT_EQ(fixed.displacement.noise.to_int(), golden.displacement.noise);
+  EXPECT_EQ(fixed.displacement.bound.to_int() / 65536.0, golden.displacement.bound_px);
+  EXPECT_EQ(fixed.displacement.bound_step.to_int() / 65536.0, golden.displacement.bound_step_px);
   EXPECT_EQ(fixed.rule.run_rule.to_int(), golden.rule.kind == golden::Rule::run);
   EXPECT_EQ(fixed.rule.min_rows.to_int(), golden.rule.min_rows);
   EXPECT_EQ(fixed.rule.max_gap.to_int(), golden.rule.max_gap);
@@ -111,6 +113,24 @@ TEST(Configuration, RefusesEachFaultWithASentence) {
   EXPECT_REFUSED(Configuration(camera, mount, {.line_count = 1000}), "lines");
 }
 
+TEST(Configuration, AFootMayMoveByTheParallaxOfAFewRows) {
+  const Settings settings = {.still_px = 0.5, .still_rows = 4};
+  const Configuration configuration(camera, mount, settings);
+  PlannedFrame frame;
+  frame.baseline_m = 0.2;
+  const golden::Parameters parameters = configuration.golden_parameters(frame);
+  const Eigen::Vector2d foot = pixel_of(camera, mount, {2, 0, 0});
+  const double bound = parameters.displacement.bound_px + foot.y() * parameters.displacement.bound_step_px;
+  const double a_row = (bound - 0.5) / 4;
+  // A point a little above that foot, seen from 0.2 m further back as well.
+  const Eigen::Isometry3d moved = isometry({0.2, 0, 0});
+  const Eigen::Vector3d raised(2, 0, 0.02);
+  const Eigen::Vector2d pixel = pixel_of(camera, mount, raised);
+  const Eigen::Vector2d explained = apply(ground_homography(camera.matrix, mount, moved), pixel);
+  const double parallax = (explained - pixel_of(camera, mount, moved * raised)).norm();
+  EXPECT_NEAR(a_row * (foot.y() - pixel.y()), parallax, 0.1 * parallax);
+}
+
 TEST(Configuration, RectifiesADistortedCamera) {
   EXPECT_FALSE(Configuration(camera, mount, {}).lens());
   Camera distorted = camera;
@@ -124,7 +144,6 @@ TEST(PaperSettings, AreThePapers) {
   const golden::Parameters parameters = Configuration(camera, mount, paper_settings()).golden_parameters({});
   EXPECT_EQ(parameters.rule.kind, golden::Rule::paper);
   EXPECT_TRUE(parameters.erode_high);
-  EXPECT_FALSE(parameters.tolerant);
   EXPECT_EQ(golden::high_threshold(parameters.threshold, 17), 17);
 }
 
@@ -148,7 +167,7 @@ GroundResidual residual_on_floor(const Sequence& sequence, int frame) {
   const cv::Mat floor = (sequence.truth_mask(frame) == 0) & pairs.valid;
   cv::Mat still, warped;
   cv::absdiff(sequence.frame(frame - 1), sequence.frame(frame), still);
-  cv::absdiff(pairs.nearest, pairs.current, warped);
+  cv::absdiff(pairs.reference, pairs.current, warped);
   return {cv::mean(still, floor)[0], cv::mean(warped, floor)[0]};
 }
 

@@ -31,11 +31,10 @@ namespace {
 const cv::Size kImage(160, 120);
 
 /// Identity homography, and a floor on which a pixel is a centimetre; no thresholds but the low and the floor
-/// one.
+/// one, no foot test.
 FrameParameters parameters() {
   FrameParameters p = {};
   p.replace_reference = 1;
-  p.tolerant = 1;
   p.roi_first_row = 10;
   p.roi_last_row = 119;
   p.cluster_gap = 1 << 14;
@@ -48,6 +47,7 @@ FrameParameters parameters() {
   p.birdseye.z1 = 1 << 28;
   p.threshold.floor = 20;
   p.threshold.low = 10;
+  p.displacement.noise = 255;
   p.rule.run_rule = 1;
   p.rule.min_rows = 12;
   p.rule.max_gap = 3;
@@ -145,7 +145,7 @@ TEST(Accelerator, CapturedStagesGiveWhatTheTopGives) {
     frames.push_back(frame + noise);
     FrameParameters p = parameters();
     p.replace_reference = i % 3 != 1;
-    p.tolerant = i % 2;
+    p.displacement.noise = i % 2 ? 255 : 2;
     p.erode_high = i % 4 == 3;
     p.rule.run_rule = i % 5 != 4;
     settings.push_back(p);
@@ -180,7 +180,7 @@ TEST(CSimulation, RefusesFramesThatFitNoConfiguration) {
   CSimulation csim(kImage);
   EXPECT_THROW(csim.run(cv::Mat::zeros(481, 640, CV_8UC1), parameters(), {}), Error);
   EXPECT_THROW(csim.run(cv::Mat::zeros(120, 160, CV_16UC1), parameters(), {}), Error);
-  EXPECT_THROW(csim.run(cv::Mat::zeros(120, 160, CV_8UC1), parameters(), std::vector<LineSetup>(129)), Error);
+  EXPECT_THROW(csim.run(cv::Mat::zeros(120, 160, CV_8UC1), parameters(), std::vector<LineSetup>(257)), Error);
 }
 
 TEST(CSimulation, TakesWideFrames) {

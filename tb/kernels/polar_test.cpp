@@ -24,21 +24,26 @@ struct Histogram {
   std::vector<golden::Contact> contacts;
 };
 
-/// One frame through the kernel. Checks that the input is consumed and that both outputs end where they must.
-Histogram run(const golden::Masks& masks, const std::vector<LineSetup>& table, const RuleParameters& rule) {
+/// One frame through the kernel. Checks that the inputs are consumed and that both outputs end where they
+/// must.
+Histogram run(const golden::Masks& masks, const cv::Mat& moving, const std::vector<LineSetup>& table,
+              const RuleParameters& rule) {
   hls::stream<Mask> mask("mask");
+  hls::stream<ap_uint<1>> moves("moves");
   hls::stream<Contact> contacts("contacts");
   hls::stream<LineCount> counts("counts");
   for (int v = 0; v < masks.high.rows; ++v) {
     for (int u = 0; u < masks.high.cols; ++u) {
       mask.write(2 * (masks.high.at<uchar>(v, u) != 0) + (masks.low.at<uchar>(v, u) != 0));
+      moves.write(moving.at<uchar>(v, u) != 0);
     }
   }
   std::vector<LineSetup> lines = table;
   lines.resize(kMaxLines);
-  polar<kMaxWidth, kMaxHeight, kMaxLines>(mask, contacts, counts, masks.high.cols, masks.high.rows,
+  polar<kMaxWidth, kMaxHeight, kMaxLines>(mask, moves, contacts, counts, masks.high.cols, masks.high.rows,
                                           table.size(), rule, lines.data());
   EXPECT_TRUE(mask.empty());
+  EXPECT_TRUE(moves.empty());
 
   Histogram histogram;
   for (Contact c = contacts.read(); !c.end; c = contacts.read()) {
@@ -55,6 +60,11 @@ Histogram run(const golden::Masks& masks, const std::vector<LineSetup>& table, c
   }
   EXPECT_TRUE(counts.empty());
   return histogram;
+}
+
+/// Nothing moves.
+Histogram run(const golden::Masks& masks, const std::vector<LineSetup>& table, const RuleParameters& rule) {
+  return run(masks, cv::Mat::zeros(masks.high.size(), CV_8UC1), table, rule);
 }
 
 RuleParameters packed(const golden::RuleParameters& rule) {
@@ -75,10 +85,10 @@ std::vector<golden::Line> golden_lines(const std::vector<BeamLine>& lines) {
 }
 
 /// Returns how many contacts there were to compare.
-std::size_t expect_golden(const golden::Masks& masks, const std::vector<BeamLine>& lines,
-                          const golden::RuleParameters& rule) {
-  const Histogram ours = run(masks, line_table(lines, masks.high.size()), packed(rule));
-  const golden::PolarHistogram expected = golden::polar(masks, golden_lines(lines), rule);
+std::size_t expect_golden(const golden::Masks& masks, const cv::Mat& moves,
+                          const std::vector<BeamLine>& lines, const golden::RuleParameters& rule) {
+  const Histogram ours = run(masks, moves, line_table(lines, masks.high.size()), packed(rule));
+  const golden::PolarHistogram expected = golden::polar(masks, moves, golden_lines(lines), rule);
   EXPECT_EQ(ours.counts, expected.counts);
   EXPECT_EQ(ours.contacts.size(), expected.contacts.size());
   for (std::size_t i = 0; i < std::min(ours.contacts.size(), expected.contacts.size()); ++i) {
@@ -128,6 +138,17 @@ TEST(Polar, PaperRuleRefusesAWideningShape) {
   golden::Masks masks = triangle(kImage, 40, 45, 8);
   cv::flip(masks.high, masks.high, 0);
   EXPECT_THAT(run(masks, line_table({kVertical}, kImage), packed(kPaper)).contacts, IsEmpty());
+}
+
+TEST(Polar, RefusesARunWhoseLastRowsMove) {
+  const golden::Masks masks = triangle(kImage, 40, 45, 24);
+  const std::vector<LineSetup> lines = line_table({kVertical}, kImage);
+  cv::Mat moves = cv::Mat::zeros(kImage, CV_8UC1);
+  moves.col(40).rowRange(0, 42) = 255;  // Rows 42 to 45 are still.
+  EXPECT_EQ(run(masks, moves, lines, packed(kRun)).contacts.size(), 1u);
+  moves.at<uchar>(44, 40) = 255;
+  EXPECT_THAT(run(masks, moves, lines, packed(kRun)).contacts, IsEmpty());
+  EXPECT_EQ(run(masks, moves, lines, packed(kPaper)).contacts.size(), 1u) << "the paper does not ask";
 }
 
 TEST(Polar, TakesTheFirstRowOfARunThatLeadsAwayFromTheNadir) {
@@ -241,7 +262,8 @@ TEST(Polar, EqualsGoldenOnRandomMasksLinesAndRules) {
     rule.horizon_row = horizon(random);
     rule.height_ratio = ratio(random) / 256.0;
     SCOPED_TRACE(testing::Message() << "round " << round << ", size " << size);
-    contacts[round % 2] += expect_golden(random_masks(size, random), random_lines(size, random), rule);
+    contacts[round % 2] += expect_golden(random_masks(size, random), random_masks(size, random).low / 2,
+                                         random_lines(size, random), rule);
   }
   EXPECT_GT(contacts[0], 100u) << "too few by the paper's rule";
   EXPECT_GT(contacts[1], 1000u) << "too few by the run rule";

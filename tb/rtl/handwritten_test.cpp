@@ -133,7 +133,7 @@ uint64_t pack(const LineCount& count) {
   return count.line.to_uint() | uint64_t(count.count.to_uint()) << 8 | uint64_t(count.end.to_uint()) << 20;
 }
 
-constexpr int kMaxLines = 128;
+constexpr int kMaxLines = 256;
 
 /// A line that walks anywhere: steep or shallow, in or out of the image, its rows in order.
 LineSetup random_line(std::mt19937& random, int width, int height) {
@@ -196,11 +196,15 @@ TEST_P(Handwritten, polar_gives_the_bits_of_the_kernel) {
     std::vector<unsigned> in = random_elements(width * height, 9, frame);
     for (unsigned& value : in) value = value < 3 ? 0 : value < 5 ? 1 : 3;
 
+    const std::vector<unsigned> moving = random_elements(width * height, 5, frame + 100);
+
     hls::stream<Mask> mask("mask");
+    hls::stream<ap_uint<1>> moves("moves");
     hls::stream<Contact> contacts("contacts");
     hls::stream<LineCount> counts("counts");
     for (unsigned value : in) mask.write(value);
-    polar<640, 480, kMaxLines>(mask, contacts, counts, width, height, line_count, rule, lines);
+    for (unsigned value : moving) moves.write(value == 0);
+    polar<640, 480, kMaxLines>(mask, moves, contacts, counts, width, height, line_count, rule, lines);
     std::vector<uint64_t> expected_contacts, expected_counts;
     while (!contacts.empty()) expected_contacts.push_back(pack(contacts.read()));
     while (!counts.empty()) expected_counts.push_back(pack(counts.read()));
@@ -219,6 +223,8 @@ TEST_P(Handwritten, polar_gives_the_bits_of_the_kernel) {
     for (bool done = false; !done && cycles < 100000; ++cycles) {
       model.mask_empty_n = taken < in.size() && !stalls(random);
       model.mask_dout = model.mask_empty_n ? in[taken] : 0;
+      model.moves_empty_n = taken < in.size() && !stalls(random);
+      model.moves_dout = model.moves_empty_n ? moving[taken] == 0 : 0;
       model.contacts_full_n = !stalls(random);
       model.counts_full_n = !stalls(random);
       model.clk = 0;

@@ -1,0 +1,86 @@
+/// Which pixels move against the floor: what decides whether a run ends at a foot, which does not move, or on
+/// the body of an obstacle, which does (docs/detection.md).
+///
+/// An image that is shifted by p pixels differs from itself by p times its gradient, whatever it shows. So
+/// over the 2 * REACH + 1 columns around a pixel
+///
+///     sum max(0, difference - noise) / sum max(0, gradient - noise)
+///
+/// is the mean displacement in pixels. The pixel moves when that exceeds bound + row * bound_step (the
+/// division is a product); with equal sums of 0 it does not. Columns outside the image count nothing. Exact.
+///
+/// II = 1; a frame takes width * height + REACH + depth cycles, depth ~6. Widths of at least 2 * REACH + 1.
+/// One DSP48E1.
+#ifndef FLOORLINE_HLS_DISPLACEMENT_H
+#define FLOORLINE_HLS_DISPLACEMENT_H
+
+#include "hls_stream.h"
+#include "parameters.h"
+#include "raster.h"
+
+namespace floorline {
+namespace displacement_sums {
+
+/// Columns on each side of a pixel that are looked at.
+const int REACH = 7;
+const int WINDOW = 2 * REACH + 1;
+
+typedef ap_uint<12> Sum;  ///< Up to WINDOW * 255.
+
+/// Sums over windows of a raster as differences of a running sum; only they must fit the type, the running
+/// sum may wrap.
+struct WindowSum {
+  Sum before[WINDOW];  ///< Running sums up to the pixel 1, 2, ... WINDOW places before the newest.
+  Sum row_start;       ///< Running sum at the start of the row that comes in.
+
+  /// Takes the pixel in `column`; returns the sum around the one REACH places before it.
+  Sum take(Pixel value, Size column) {
+#pragma HLS INLINE
+    if (column == 0) row_start = before[0];
+    const Sum upto = before[0] + value;
+    // Windows of the row before end where that row does, those at the start of a row begin there.
+    const Sum last = column < REACH ? row_start : upto;
+    const Sum first = column >= REACH && column <= 2 * REACH ? row_start : before[WINDOW - 1];
+  SHIFT:
+    for (int i = WINDOW - 1; i > 0; --i) {
+#pragma HLS UNROLL
+      before[i] = before[i - 1];
+    }
+    before[0] = upto;
+    return last - first;
+  }
+};
+
+inline Pixel above(Pixel value, Pixel noise) {
+#pragma HLS INLINE
+  return value > noise ? Pixel(value - noise) : Pixel(0);
+}
+
+}  // namespace displacement_sums
+
+/// in: width * height changes. out: as many bits, 1: moves.
+template <int MAX_WIDTH, int MAX_HEIGHT>
+void displacement(hls::stream<Change>& in, hls::stream<ap_uint<1> >& out, Size width, Size height,
+                  const DisplacementParameters& parameters) {
+  using namespace displacement_sums;
+  WindowSum differences = {};
+  WindowSum gradients = {};
+  ap_int<24> bound = parameters.bound;
+  // Row `height` holds no pixels, just the end of the last row's windows.
+PIXELS:
+  for (RasterPosition at(width); at.v < height || (at.v == height && at.u < REACH); at.advance()) {
+#pragma HLS PIPELINE II = 1
+#pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT + REACH
+    Change change = {0, 0};
+    if (at.v < height) change = in.read();
+    const Sum moved = differences.take(above(change.difference, parameters.noise), at.u);
+    const Sum texture = gradients.take(above(change.gradient, parameters.noise), at.u);
+    const ap_int<29> scaled = ap_int<29>(moved) << 16;  // as the bound
+    if (at.v != 0 || at.u >= REACH) out.write(scaled > bound * texture);
+    if (at.v != 0 && at.u == REACH - 1) bound = bound + parameters.bound_step;
+  }
+}
+
+}  // namespace floorline
+
+#endif
