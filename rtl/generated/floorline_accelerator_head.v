@@ -7,7 +7,6 @@ module floorline_accelerator_head (
     input wire [11:0] parameters_height_V,
     input wire parameters_grey_V,
     input wire parameters_replace_reference_V,
-    input wire parameters_tolerant_V,
     input wire parameters_erode_high_V,
     input wire [11:0] parameters_roi_first_row_V,
     input wire [11:0] parameters_roi_last_row_V,
@@ -40,7 +39,14 @@ module floorline_accelerator_head (
     output wire [31:0] frame_ring_homography_z1_V,
     output wire [11:0] difference_width,
     output wire [11:0] difference_height,
-    output wire difference_tolerant,
+    output wire [11:0] displacement_width,
+    output wire [11:0] displacement_height,
+    input wire [7:0] parameters_displacement_noise_V,
+    output wire [7:0] displacement_parameters_noise_V,
+    input wire [23:0] parameters_displacement_bound_V,
+    output wire [23:0] displacement_parameters_bound_V,
+    input wire [23:0] parameters_displacement_bound_step_V,
+    output wire [23:0] displacement_parameters_bound_step_V,
     output wire [11:0] gaussian_width,
     output wire [11:0] gaussian_height,
     output wire [11:0] otsu_width,
@@ -114,7 +120,11 @@ module floorline_accelerator_head (
     assign frame_ring_homography_z1_V = parameters_homography_z1_V;
     assign difference_width = parameters_width_V;
     assign difference_height = parameters_height_V;
-    assign difference_tolerant = parameters_tolerant_V;
+    assign displacement_width = parameters_width_V;
+    assign displacement_height = parameters_height_V;
+    assign displacement_parameters_noise_V = parameters_displacement_noise_V;
+    assign displacement_parameters_bound_V = parameters_displacement_bound_V;
+    assign displacement_parameters_bound_step_V = parameters_displacement_bound_step_V;
     assign gaussian_width = parameters_width_V;
     assign gaussian_height = parameters_height_V;
     assign otsu_width = parameters_width_V;

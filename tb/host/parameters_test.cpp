@@ -117,13 +117,13 @@ TEST(Configuration, AFootMayMoveByTheParallaxOfAFewRows) {
   const Settings settings = {.still_px = 0.5, .still_rows = 4};
   const Configuration configuration(camera, mount, settings);
   PlannedFrame frame;
-  frame.baseline_m = 0.2;
+  frame.baseline_m = 0.02;
   const golden::Parameters parameters = configuration.golden_parameters(frame);
   const Eigen::Vector2d foot = pixel_of(camera, mount, {2, 0, 0});
   const double bound = parameters.displacement.bound_px + foot.y() * parameters.displacement.bound_step_px;
   const double a_row = (bound - 0.5) / 4;
-  // A point a little above that foot, seen from 0.2 m further back as well.
-  const Eigen::Isometry3d moved = isometry({0.2, 0, 0});
+  // A point a little above that foot, seen from 2 cm further back as well.
+  const Eigen::Isometry3d moved = isometry({0.02, 0, 0});
   const Eigen::Vector3d raised(2, 0, 0.02);
   const Eigen::Vector2d pixel = pixel_of(camera, mount, raised);
   const Eigen::Vector2d explained = apply(ground_homography(camera.matrix, mount, moved), pixel);
