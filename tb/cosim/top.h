@@ -25,7 +25,7 @@ class Hang : public std::runtime_error {
 
 /// Which core is in the top: hls/accelerator.h.
 enum class Configuration {
-  vga,  ///< 640x480, 128 lines.
+  vga,  ///< 640x480, 256 lines.
   wide  ///< 1280x384, 256 lines.
 };
 
