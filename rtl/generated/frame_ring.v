@@ -37,13 +37,13 @@ module frame_ring (
     localparam [3:0] S_IDLE = 4'd0;
     localparam [3:0] S_ENTRY = 4'd1;
     localparam [3:0] S_LOR = 4'd2;
-    localparam [3:0] S_ZN11AP_INT_BASEILI1ELB0EEC2IIVEERKT = 4'd3;
-    localparam [3:0] S_IF_2 = 4'd4;
+    localparam [3:0] S_IF_2 = 4'd3;
+    localparam [3:0] S_IF_3 = 4'd4;
     localparam [3:0] S_FOR_2 = 4'd5;
     localparam [3:0] S_FOR_3 = 4'd6;
     localparam [3:0] S_FOR_5 = 4'd7;
-    localparam [3:0] S_IF_3 = 4'd8;
-    localparam [3:0] S_IF_4 = 4'd9;
+    localparam [3:0] S_IF_4 = 4'd8;
+    localparam [3:0] S_IF_5 = 4'd9;
     localparam [3:0] S_DONE = 4'd10;
     reg [3:0] state;
 
@@ -138,11 +138,11 @@ module frame_ring (
     reg [23:0] shifted_25_s6;
     reg [23:0] shifted_25_s7;
     reg [23:0] either_9_s8;
-    reg [24:0] chosen_32_s4;
-    reg [24:0] chosen_32_s5;
-    reg [24:0] chosen_32_s6;
-    reg [24:0] chosen_32_s7;
-    reg [24:0] chosen_32_s8;
+    reg [24:0] chosen_31_s4;
+    reg [24:0] chosen_31_s5;
+    reg [24:0] chosen_31_s6;
+    reg [24:0] chosen_31_s7;
+    reg [24:0] chosen_31_s8;
     reg [23:0] sum_20_s4;
     reg [23:0] sum_20_s5;
     reg [23:0] sum_20_s6;
@@ -198,9 +198,9 @@ module frame_ring (
     wire [11:0] reference_height_data = reference_height;  // frame_ring.h:113
     wire test_2 = height == reference_height_data;  // frame_ring.h:113
 
-    // frame_ring.h:113:77: ZN11ap_int_baseILi1ELb0EEC2IivEERKT
+    // frame_ring.h:113:77: if_2
 
-    // frame_ring.h:114:19: if_2
+    // frame_ring.h:114:19: if_3
     wire [11:0] base_data = base;  // frame_ring.h:116
     wire [12:0] row = {1'd0, base_data} + {1'd0, height};  // frame_ring.h:116
     wire test_3 = row > 13'd511;  // banks.h:15
@@ -367,25 +367,25 @@ module frame_ring (
     wire test_26 = both_29 == 1'd0;  // frame_ring.h:149
     wire both_30 = chosen_6[0];  // frame_ring.h:149
     wire test_27 = both_30 == 1'd0;  // frame_ring.h:149
-    wire [7:0] chosen_21 = test_27_s5 ? chosen_17 : chosen_18;  // banks.h:52
-    wire [7:0] chosen_22 = test_27_s5 ? chosen_19 : chosen_20;  // banks.h:53
-    wire [7:0] chosen_23 = test_26_s5 ? chosen_21 : chosen_22;  // banks.h:54
+    wire [7:0] cell_2 = test_27_s5 ? chosen_17 : chosen_18;  // banks.h:52
+    wire [7:0] chosen_21 = test_27_s5 ? chosen_19 : chosen_20;  // banks.h:53
+    wire [7:0] chosen_22 = test_26_s5 ? cell_2 : chosen_21;  // banks.h:54
     wire both_31 = chosen_7[0];  // frame_ring.h:149
     wire test_28 = both_31 == 1'd0;  // frame_ring.h:149
-    wire [7:0] chosen_24 = test_28_s5 ? chosen_17 : chosen_18;  // banks.h:52
-    wire [7:0] chosen_25 = test_28_s5 ? chosen_19 : chosen_20;  // banks.h:53
-    wire [7:0] chosen_26 = test_26_s5 ? chosen_24 : chosen_25;  // banks.h:54
+    wire [7:0] chosen_23 = test_28_s5 ? chosen_17 : chosen_18;  // banks.h:52
+    wire [7:0] chosen_24 = test_28_s5 ? chosen_19 : chosen_20;  // banks.h:53
+    wire [7:0] chosen_25 = test_26_s5 ? chosen_23 : chosen_24;  // banks.h:54
     wire both_32 = chosen_10[0];  // frame_ring.h:150
     wire test_29 = both_32 == 1'd0;  // frame_ring.h:150
-    wire [7:0] chosen_27 = test_29_s5 ? chosen_21 : chosen_22;  // banks.h:54
-    wire [7:0] chosen_28 = test_29_s5 ? chosen_24 : chosen_25;  // banks.h:54
-    wire [8:0] difference_2 = {1'd0, chosen_26} - {1'd0, chosen_23};  // frame_ring.h:66
-    wire [11:0] shifted_22 = {chosen_23, 4'd0};  // frame_ring.h:67
+    wire [7:0] chosen_26 = test_29_s5 ? cell_2 : chosen_21;  // banks.h:54
+    wire [7:0] chosen_27 = test_29_s5 ? chosen_23 : chosen_24;  // banks.h:54
+    wire [8:0] difference_2 = {1'd0, chosen_25} - {1'd0, chosen_22};  // frame_ring.h:66
+    wire [11:0] shifted_22 = {chosen_22, 4'd0};  // frame_ring.h:67
     wire [8:0] value_60 = difference_2;  // frame_ring.h:67
     wire [11:0] product_6 = $signed(value_60_s6) * $signed({1'd0, shifted_12_s6});  // frame_ring.h:67
     wire [11:0] sum_16 = shifted_22_s6 + product_6;  // frame_ring.h:67
-    wire [8:0] difference_3 = {1'd0, chosen_28} - {1'd0, chosen_27};  // frame_ring.h:66
-    wire [11:0] shifted_23 = {chosen_27, 4'd0};  // frame_ring.h:67
+    wire [8:0] difference_3 = {1'd0, chosen_27} - {1'd0, chosen_26};  // frame_ring.h:66
+    wire [11:0] shifted_23 = {chosen_26, 4'd0};  // frame_ring.h:67
     wire [8:0] value_67 = difference_3;  // frame_ring.h:67
     wire [11:0] product_7 = $signed(value_67_s6) * $signed({1'd0, shifted_12_s6});  // frame_ring.h:67
     wire [11:0] sum_17 = shifted_23_s6 + product_7;  // frame_ring.h:67
@@ -396,21 +396,21 @@ module frame_ring (
     wire [15:0] sum_18 = shifted_24_s7 + product_8;  // frame_ring.h:82
     wire [15:0] sum_19 = sum_18 + 16'd128;  // frame_ring.h:82
     wire [15:0] both_35 = sum_19 & 16'd65280;  // frame_ring.h:152
-    wire test_30 = chosen_23 > chosen_28;  // frame_ring.h:72
-    wire [7:0] difference_5 = chosen_23 - chosen_28;  // frame_ring.h:72
-    wire [7:0] difference_6 = chosen_28 - chosen_23;  // frame_ring.h:72
-    wire [7:0] chosen_29 = test_30 ? difference_5 : difference_6;  // frame_ring.h:72
-    wire test_31 = chosen_26 > chosen_27;  // frame_ring.h:72
-    wire [7:0] difference_7 = chosen_26 - chosen_27;  // frame_ring.h:72
-    wire [7:0] difference_8 = chosen_27 - chosen_26;  // frame_ring.h:72
-    wire [7:0] chosen_30 = test_31 ? difference_7 : difference_8;  // frame_ring.h:72
-    wire test_32 = chosen_29 > chosen_30;  // frame_ring.h:86
-    wire [7:0] chosen_31 = test_32 ? chosen_29 : chosen_30;  // frame_ring.h:86
+    wire test_30 = chosen_22 > chosen_27;  // frame_ring.h:72
+    wire [7:0] difference_5 = chosen_22 - chosen_27;  // frame_ring.h:72
+    wire [7:0] difference_6 = chosen_27 - chosen_22;  // frame_ring.h:72
+    wire [7:0] chosen_28 = test_30 ? difference_5 : difference_6;  // frame_ring.h:72
+    wire test_31 = chosen_25 > chosen_26;  // frame_ring.h:72
+    wire [7:0] difference_7 = chosen_25 - chosen_26;  // frame_ring.h:72
+    wire [7:0] difference_8 = chosen_26 - chosen_25;  // frame_ring.h:72
+    wire [7:0] chosen_29 = test_31 ? difference_7 : difference_8;  // frame_ring.h:72
+    wire test_32 = chosen_28 > chosen_29;  // frame_ring.h:86
+    wire [7:0] chosen_30 = test_32 ? chosen_28 : chosen_29;  // frame_ring.h:86
     wire [15:0] either_8 = both_35 | {8'd0, in_data_s7};  // frame_ring.h:152
-    wire [23:0] shifted_25 = {chosen_31, 16'd0};  // frame_ring.h:152
+    wire [23:0] shifted_25 = {chosen_30, 16'd0};  // frame_ring.h:152
     wire [23:0] either_9 = shifted_25_s7 | {8'd0, either_8};  // frame_ring.h:152
-    wire [24:0] chosen_32 = both_26 ? 25'd16777216 : 25'd0;  // frame_ring.h:152
-    wire [24:0] either_10 = {1'd0, either_9_s8} | chosen_32_s8;  // frame_ring.h:152
+    wire [24:0] chosen_31 = both_26 ? 25'd16777216 : 25'd0;  // frame_ring.h:152
+    wire [24:0] either_10 = {1'd0, either_9_s8} | chosen_31_s8;  // frame_ring.h:152
     wire differs_5 = ~both_26;  // frame_ring.h:153
     wire [23:0] sum_20 = null_count + {23'd0, differs_5};  // frame_ring.h:153
     wire [10:0] shifted_26 = write_row_2[11:1];  // banks.h:88
@@ -434,22 +434,22 @@ module frame_ring (
     wire both_43 = value_84 & both_38;  // banks.h:94
     wire both_44 = replace_reference & both_43;  // banks.h:93
     wire test_37 = at_3 == at_q;  // raster.h:18
-    wire [31:0] chosen_33 = test_37 ? homography_xv_V : homography_xu_V;  // raster.h:42
-    wire [31:0] chosen_34 = test_37 ? x_walk_2 : x_walk_3;  // raster.h:42
-    wire [31:0] sum_22 = chosen_34 + chosen_33;  // raster.h:42
+    wire [31:0] chosen_32 = test_37 ? homography_xv_V : homography_xu_V;  // raster.h:42
+    wire [31:0] chosen_33 = test_37 ? x_walk_2 : x_walk_3;  // raster.h:42
+    wire [31:0] sum_22 = chosen_33 + chosen_32;  // raster.h:42
     wire [31:0] x_walk_4 = test_37 ? sum_22 : x_walk_2;  // raster.h:43
-    wire [31:0] chosen_35 = test_37 ? homography_yv_V : homography_yu_V;  // raster.h:43
+    wire [31:0] chosen_34 = test_37 ? homography_yv_V : homography_yu_V;  // raster.h:43
     wire [31:0] y_walk_4 = test_37 ? y_walk_3 : y_walk_2;  // raster.h:43
-    wire [31:0] sum_23 = y_walk_4 + chosen_35;  // raster.h:42
+    wire [31:0] sum_23 = y_walk_4 + chosen_34;  // raster.h:42
     wire [31:0] y_walk_5 = test_37 ? sum_23 : y_walk_3;  // raster.h:43
-    wire [31:0] chosen_36 = test_37 ? homography_zv_V : homography_zu_V;  // raster.h:43
+    wire [31:0] chosen_35 = test_37 ? homography_zv_V : homography_zu_V;  // raster.h:43
     wire [31:0] z_walk_4 = test_37 ? z_walk_3 : z_walk_2;  // raster.h:43
-    wire [31:0] sum_24 = z_walk_4 + chosen_36;  // raster.h:42
+    wire [31:0] sum_24 = z_walk_4 + chosen_35;  // raster.h:42
     wire test_38 = write_row_2 == 12'd511;  // raster.h:43
     wire [11:0] sum_25 = write_row_2 + 12'd1;  // raster.h:43
-    wire [11:0] chosen_37 = test_38 ? 12'd0 : sum_25;  // raster.h:43
+    wire [11:0] chosen_36 = test_38 ? 12'd0 : sum_25;  // raster.h:43
     wire [31:0] z_walk_5 = test_37 ? sum_24 : z_walk_3;  // raster.h:43
-    wire [11:0] write_row_3 = test_37 ? chosen_37 : write_row_2;  // raster.h:43
+    wire [11:0] write_row_3 = test_37 ? chosen_36 : write_row_2;  // raster.h:43
     wire [11:0] sum_26 = at_3 + 12'd1;  // raster.h:21
     wire [11:0] at_4 = test_37 ? 12'd0 : sum_26;  // raster.h:21
     wire [11:0] at_5 = at_2 + {11'd0, test_37};  // raster.h:21
@@ -457,9 +457,9 @@ module frame_ring (
 
     // frame_ring.h:164:7: for_5
 
-    // frame_ring.h:165:10: if_3
+    // frame_ring.h:165:10: if_4
 
-    // frame_ring.h:168:15: if_4
+    // frame_ring.h:168:15: if_5
 
     // memory reference_width: 1 x 12
 
@@ -479,7 +479,7 @@ module frame_ring (
 
     // memory odd_odd: 81920 x 8
 
-    assign stall = ((state == S_IF_4) & ~null_pixels_full_n);
+    assign stall = ((state == S_IF_5) & ~null_pixels_full_n);
     assign for_3_ce = ~((for_3_active[8] & ~out_full_n));
     assign for_3_front_ce = for_3_ce & ~((for_3_active[0] & ~in_empty_n));
 
@@ -679,7 +679,7 @@ module frame_ring (
     assign in_read = (for_3_active[0] & for_3_front_ce);
     assign out_write = (for_3_active[8] & for_3_ce);
     assign out_din = either_10;
-    assign null_pixels_write = ((state == S_IF_4) & ~stall);
+    assign null_pixels_write = ((state == S_IF_5) & ~stall);
     assign null_pixels_din = null_count_2;
 
     assign ap_idle = (state == S_IDLE);
@@ -718,20 +718,20 @@ module frame_ring (
                 if (test) begin
                     state <= S_LOR;
                 end else begin
-                    state <= S_ZN11AP_INT_BASEILI1ELB0EEC2IIVEERKT;
+                    state <= S_IF_2;
                 end
             end
             S_LOR: if (~stall) begin
                 if (test_2) begin
-                    state <= S_IF_2;
+                    state <= S_IF_3;
                 end else begin
-                    state <= S_ZN11AP_INT_BASEILI1ELB0EEC2IIVEERKT;
+                    state <= S_IF_2;
                 end
             end
-            S_ZN11AP_INT_BASEILI1ELB0EEC2IIVEERKT: if (~stall) begin
-                state <= S_IF_2;
-            end
             S_IF_2: if (~stall) begin
+                state <= S_IF_3;
+            end
+            S_IF_3: if (~stall) begin
                 if (test_4) begin
                     state <= S_FOR_5;
                     null_count_2 <= 24'd0;
@@ -759,15 +759,15 @@ module frame_ring (
             end
             S_FOR_5: if (~stall) begin
                 if (replace_reference) begin
-                    state <= S_IF_3;
-                end else begin
                     state <= S_IF_4;
+                end else begin
+                    state <= S_IF_5;
                 end
             end
-            S_IF_3: if (~stall) begin
-                state <= S_IF_4;
-            end
             S_IF_4: if (~stall) begin
+                state <= S_IF_5;
+            end
+            S_IF_5: if (~stall) begin
                 state <= S_DONE;
             end
             S_DONE: if (ap_continue) state <= S_IDLE;
@@ -780,14 +780,14 @@ module frame_ring (
     end
 
     always @(posedge clk) begin
-        if ((state == S_IF_2) & ~stall) reference_width <= width;
-        if ((state == S_IF_2) & ~stall) reference_height <= height;
-        if ((state == S_ZN11AP_INT_BASEILI1ELB0EEC2IIVEERKT) & ~stall) has_reference <= 1'd0;
-        if ((state == S_IF_3) & ~stall) has_reference <= 1'd1;
-        if ((state == S_IF_3) & ~stall) base <= write_row_q;
-        if ((state == S_IF_2) & ~stall) base_data_q <= base_data;
-        if ((state == S_IF_2) & ~stall) write_row_q <= write_row;
-        if ((state == S_IF_2) & ~stall) at_q <= at;
+        if ((state == S_IF_3) & ~stall) reference_width <= width;
+        if ((state == S_IF_3) & ~stall) reference_height <= height;
+        if ((state == S_IF_2) & ~stall) has_reference <= 1'd0;
+        if ((state == S_IF_4) & ~stall) has_reference <= 1'd1;
+        if ((state == S_IF_4) & ~stall) base <= write_row_q;
+        if ((state == S_IF_3) & ~stall) base_data_q <= base_data;
+        if ((state == S_IF_3) & ~stall) write_row_q <= write_row;
+        if ((state == S_IF_3) & ~stall) at_q <= at;
         if ((state == S_FOR_2) & ~stall) spare_rows_2_q <= spare_rows_2;
         if ((state == S_FOR_2) & ~stall) sum_2_q <= sum_2;
         if ((state == S_FOR_2) & ~stall) has_reference_data_q <= has_reference_data;
@@ -864,11 +864,11 @@ module frame_ring (
             shifted_25_s6 <= shifted_25;
             shifted_25_s7 <= shifted_25_s6;
             either_9_s8 <= either_9;
-            chosen_32_s4 <= chosen_32;
-            chosen_32_s5 <= chosen_32_s4;
-            chosen_32_s6 <= chosen_32_s5;
-            chosen_32_s7 <= chosen_32_s6;
-            chosen_32_s8 <= chosen_32_s7;
+            chosen_31_s4 <= chosen_31;
+            chosen_31_s5 <= chosen_31_s4;
+            chosen_31_s6 <= chosen_31_s5;
+            chosen_31_s7 <= chosen_31_s6;
+            chosen_31_s8 <= chosen_31_s7;
             sum_20_s4 <= sum_20;
             sum_20_s5 <= sum_20_s4;
             sum_20_s6 <= sum_20_s5;

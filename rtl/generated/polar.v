@@ -69,7 +69,7 @@ module polar (
     localparam [2:0] S_IDLE = 3'd0;
     localparam [2:0] S_ENTRY = 3'd1;
     localparam [2:0] S_IF_2 = 3'd2;
-    localparam [2:0] S_ZN9AP_DETAIL6LARGEREII = 3'd3;
+    localparam [2:0] S_CYCLES = 3'd3;
     localparam [2:0] S_FOR_2 = 3'd4;
     localparam [2:0] S_FOR_3 = 3'd5;
     localparam [2:0] S_DONE = 3'd6;
@@ -151,7 +151,7 @@ module polar (
     reg [12:0] sum_14_s2;
     reg test_19_s2;
     reg differs_5_s2;
-    reg [11:0] value_36_s2;
+    reg [11:0] value_35_s2;
     reg [11:0] difference_2_s2;
     reg both_25_s2;
     reg both_25_s3;
@@ -168,28 +168,28 @@ module polar (
     reg test_28_s3;
     reg both_32_s2;
     reg both_32_s3;
-    reg [11:0] chosen_26_s2;
-    reg [11:0] chosen_26_s3;
+    reg [11:0] chosen_25_s2;
+    reg [11:0] chosen_25_s3;
     reg [11:0] sum_21_s2;
     reg [11:0] sum_21_s3;
-    reg [2:0] chosen_28_s2;
-    reg [2:0] chosen_28_s3;
+    reg [2:0] chosen_27_s2;
+    reg [2:0] chosen_27_s3;
     reg both_41_s2;
     reg both_41_s3;
-    reg [1:0] chosen_30_s4;
+    reg [1:0] chosen_29_s4;
     reg [11:0] next_2_s4;
     reg [11:0] difference_5_s4;
-    reg [11:0] chosen_31_s1;
-    reg [11:0] chosen_31_s2;
-    reg [11:0] chosen_31_s3;
-    reg [11:0] chosen_31_s4;
+    reg [11:0] chosen_30_s1;
+    reg [11:0] chosen_30_s2;
+    reg [11:0] chosen_30_s3;
+    reg [11:0] chosen_30_s4;
     reg brmerge_s4;
     reg [11:0] difference_6_s4;
-    reg [11:0] chosen_32_s4;
-    reg [12:0] value_65_s1;
-    reg [12:0] value_65_s2;
-    reg [12:0] value_65_s3;
-    reg [12:0] value_65_s4;
+    reg [11:0] chosen_31_s4;
+    reg [12:0] value_64_s1;
+    reg [12:0] value_64_s2;
+    reg [12:0] value_64_s3;
+    reg [12:0] value_64_s4;
     reg [13:0] product_2_s4;
     reg test_36_s4;
     reg differs_9_s2;
@@ -208,10 +208,10 @@ module polar (
     reg test_38_s2;
     reg test_38_s3;
     reg [19:0] shifted_10_s4;
-    reg [20:0] chosen_37_s1;
-    reg [20:0] chosen_37_s2;
-    reg [20:0] chosen_37_s3;
-    reg [20:0] chosen_37_s4;
+    reg [20:0] chosen_36_s1;
+    reg [20:0] chosen_36_s2;
+    reg [20:0] chosen_36_s3;
+    reg [20:0] chosen_36_s4;
     reg [11:0] states_11_store_0_s4;
     reg [11:0] states_11_store_2_s4;
     reg [11:0] states_11_store_3_s4;
@@ -242,7 +242,7 @@ module polar (
 
     // polar.h:235:12: if_2
 
-    // raster.h:16:71: ZN9ap_detail6largerEii
+    // raster.h:16:71: CYCLES
     wire [11:0] sum_2 = width + 12'd4095;  // raster.h:16
     wire [9:0] at = sum_2[9:0];  // raster.h:16
     wire [9:0] sum_3 = {1'd0, walked_q} + 10'd1023;
@@ -296,21 +296,21 @@ module polar (
     wire [1:0] sum_7 = {1'd0, chosen_9} + {1'd0, test_13};  // polar.h:126
     wire chosen_10 = test_10 ? 1'd0 : shifted_3;  // polar.h:126
     wire [1:0] sum_8 = sum_7 + {1'd0, chosen_10};  // polar.h:126
-    wire [1:0] chosen_11 = rule_run_rule_V ? either_8 : sum_8;  // polar.h:127
+    wire [1:0] any = rule_run_rule_V ? either_8 : sum_8;  // polar.h:127
     wire shifted_4 = taps_5[2];  // polar.h:261
     wire [10:0] index = {centre_2, 1'd0};  // polar.h:262
     wire [10:0] index_2 = {10'd0, differs_2} + index;  // polar.h:262
     wire [11:0] left_columns_3_store_0 = high_before;  // polar.h:262
-    wire [1:0] left_columns_3_store_1 = chosen_11;  // polar.h:262
+    wire [1:0] left_columns_3_store_1 = any;  // polar.h:262
     wire left_columns_3_store_2 = shifted_4;  // polar.h:262
     wire [14:0] left_columns_3_store_word = {left_columns_3_store_2, left_columns_3_store_1, left_columns_3_store_0};  // polar.h:262
     wire [11:0] right_columns_3_store_0 = high_before;  // polar.h:263
     wire right_columns_3_store_1 = shifted;  // polar.h:263
-    wire [1:0] right_columns_3_store_2 = chosen_11;  // polar.h:263
+    wire [1:0] right_columns_3_store_2 = any;  // polar.h:263
     wire right_columns_3_store_3 = shifted_4;  // polar.h:263
     wire [15:0] right_columns_3_store_word = {right_columns_3_store_3, right_columns_3_store_2, right_columns_3_store_1, right_columns_3_store_0};  // polar.h:263
     wire [11:0] sum_9 = high_before + {11'd0, shifted};  // polar.h:264
-    wire [11:0] chosen_12 = test_9 ? 12'd0 : sum_9;  // polar.h:264
+    wire [11:0] chosen_11 = test_9 ? 12'd0 : sum_9;  // polar.h:264
     wire [11:0] sum_10 = at_2 + 12'd4095;  // polar.h:267
     wire both_8 = sum_10[0];  // polar.h:268
     wire test_14 = at_2 != 12'd0;  // polar.h:269
@@ -318,8 +318,8 @@ module polar (
     wire both_9 = test_14 & test_15;  // polar.h:269
     wire both_10 = both_9 & test_6;  // polar.h:269
     wire both_11 = either_2 & both_10;  // polar.h:263
-    wire [7:0] value_22 = at_3[7:0];  // polar.h:270
-    wire [7:0] sum_11 = value_22 + 8'd251;  // polar.h:270
+    wire [7:0] value_21 = at_3[7:0];  // polar.h:270
+    wire [7:0] sum_11 = value_21 + 8'd251;  // polar.h:270
     wire [11:0] lines_first_row_V_data = lines_first_row_V_q;  // polar.h:271
     wire [11:0] lines_last_row_V_data = lines_last_row_V_q;  // polar.h:271
     wire [11:0] lines_first_run_V_data = lines_first_run_V_q;  // polar.h:271
@@ -372,39 +372,39 @@ module polar (
     wire states_2_data = states_2_data_9_part;  // polar.h:142
     wire [11:0] sum_12 = lines_slice_V_data + {11'd0, states_2_data};  // polar.h:142
     wire [11:0] run = both_15 ? 12'd1 : sum_12;  // polar.h:142
-    wire [11:0] chosen_13 = test_16 ? lines_first_run_V_data : run;  // polar.h:143
+    wire [11:0] chosen_12 = test_16 ? lines_first_run_V_data : run;  // polar.h:143
     wire test_18 = sum_10_s1 == lines_last_row_V_data;  // polar.h:144
-    wire [11:0] run_2 = test_18 ? lines_last_run_V_data : chosen_13;  // polar.h:144
+    wire [11:0] run_2 = test_18 ? lines_last_run_V_data : chosen_12;  // polar.h:144
     wire [12:0] difference = step - {1'd0, run_2};  // polar.h:147
     wire [12:0] sum_13 = difference_s2 + 13'd1;  // polar.h:147
-    wire [12:0] chosen_14 = lines_leftward_V_data_s2 ? sum_13 : step_s2;  // polar.h:147
+    wire [12:0] chosen_13 = lines_leftward_V_data_s2 ? sum_13 : step_s2;  // polar.h:147
     wire [12:0] sum_14 = {1'd0, run_2} + step;  // polar.h:148
     wire [12:0] sum_15 = sum_14_s2 + 13'd8191;  // polar.h:148
-    wire [12:0] chosen_15 = lines_leftward_V_data_s2 ? step_s2 : sum_15;  // polar.h:148
+    wire [12:0] chosen_14 = lines_leftward_V_data_s2 ? step_s2 : sum_15;  // polar.h:148
     wire [12:0] sum_16 = {1'd0, step_2} + {1'd0, lines_remainder_V_data};  // polar.h:150
     wire test_19 = sum_16 >= {1'd0, lines_divisor_V_data};  // polar.h:151
     wire [11:0] advance = test_17_s2 ? {11'd0, test_19_s2} : run_2_s2;  // polar.h:152
     wire differs_5 = ~test_19;  // polar.h:142
     wire both_22 = both_11_s2 & differs_5_s2;  // polar.h:142
+    wire [11:0] value_35 = sum_16[11:0];  // polar.h:153
     wire [11:0] value_36 = sum_16[11:0];  // polar.h:153
-    wire [11:0] value_37 = sum_16[11:0];  // polar.h:153
-    wire [11:0] difference_2 = value_37 - lines_divisor_V_data;  // polar.h:153
-    wire [11:0] chosen_16 = both_22 ? value_36_s2 : difference_2_s2;  // polar.h:142
+    wire [11:0] difference_2 = value_36 - lines_divisor_V_data;  // polar.h:153
+    wire [11:0] chosen_15 = both_22 ? value_35_s2 : difference_2_s2;  // polar.h:142
     wire [12:0] difference_3 = 13'd0 - {1'd0, advance};  // polar.h:155
-    wire [12:0] chosen_17 = lines_leftward_V_data_s2 ? difference_3 : {1'd0, advance};  // polar.h:155
-    wire [12:0] sum_17 = chosen_17 + step_s2;  // polar.h:155
+    wire [12:0] chosen_16 = lines_leftward_V_data_s2 ? difference_3 : {1'd0, advance};  // polar.h:155
+    wire [12:0] sum_17 = chosen_16 + step_s2;  // polar.h:155
     wire test_20 = sum_10_s1 >= lines_first_row_V_data;  // polar.h:274
     wire test_21 = sum_10_s1 <= lines_last_row_V_data;
     wire both_24 = test_20 & test_21;  // polar.h:274
     wire both_25 = both_11_s1 & both_24;  // polar.h:142
     wire differs_6 = ~both_24;  // polar.h:142
     wire both_26 = both_11_s1 & differs_6;  // polar.h:142
-    wire test_22 = $signed(chosen_14) < $signed(13'd0);  // polar.h:161
-    wire test_23 = $signed(chosen_14) < $signed({1'd0, width});  // polar.h:161
-    wire [9:0] value_42 = chosen_14[9:0];  // polar.h:161
-    wire [9:0] chosen_18 = test_23 ? value_42 : at_q;  // polar.h:161
-    wire [9:0] chosen_19 = test_22 ? 10'd0 : chosen_18;  // polar.h:275
-    wire [10:0] index_3 = {chosen_19, 1'd0};  // polar.h:275
+    wire test_22 = $signed(chosen_13) < $signed(13'd0);  // polar.h:161
+    wire test_23 = $signed(chosen_13) < $signed({1'd0, width});  // polar.h:161
+    wire [9:0] value_41 = chosen_13[9:0];  // polar.h:161
+    wire [9:0] chosen_17 = test_23 ? value_41 : at_q;  // polar.h:161
+    wire [9:0] chosen_18 = test_22 ? 10'd0 : chosen_17;  // polar.h:275
+    wire [10:0] index_3 = {chosen_18, 1'd0};  // polar.h:275
     wire [10:0] index_4 = {10'd0, both_8_s2} + index_3;  // polar.h:275
     wire [14:0] left_columns_2_data_element = left_columns_q;  // polar.h:275
     wire [2:0] left_columns_2_data_1_above = left_columns_2_data_element[14:12];  // polar.h:275
@@ -413,12 +413,12 @@ module polar (
     wire left_columns_3_data_2_above = left_columns_2_data_element[14];  // polar.h:275
     wire left_columns_3_data_2_part = left_columns_3_data_2_above;  // polar.h:275
     wire left_columns_3_data = left_columns_3_data_2_part;  // polar.h:275
-    wire test_24 = $signed(chosen_15) < $signed(13'd0);  // polar.h:161
-    wire test_25 = $signed(chosen_15) < $signed({1'd0, width});  // polar.h:161
-    wire [9:0] value_45 = chosen_15[9:0];  // polar.h:161
-    wire [9:0] chosen_20 = test_25 ? value_45 : at_q;  // polar.h:161
-    wire [9:0] chosen_21 = test_24 ? 10'd0 : chosen_20;  // polar.h:276
-    wire [10:0] index_5 = {chosen_21, 1'd0};  // polar.h:276
+    wire test_24 = $signed(chosen_14) < $signed(13'd0);  // polar.h:161
+    wire test_25 = $signed(chosen_14) < $signed({1'd0, width});  // polar.h:161
+    wire [9:0] value_44 = chosen_14[9:0];  // polar.h:161
+    wire [9:0] chosen_19 = test_25 ? value_44 : at_q;  // polar.h:161
+    wire [9:0] chosen_20 = test_24 ? 10'd0 : chosen_19;  // polar.h:276
+    wire [10:0] index_5 = {chosen_20, 1'd0};  // polar.h:276
     wire [10:0] index_6 = {10'd0, both_8_s2} + index_5;  // polar.h:276
     wire [15:0] right_columns_2_data_element = right_columns_q;  // polar.h:276
     wire [2:0] right_columns_2_data_2_above = right_columns_2_data_element[15:13];  // polar.h:276
@@ -427,7 +427,7 @@ module polar (
     wire right_columns_3_data_3_above = right_columns_2_data_element[15];  // polar.h:276
     wire right_columns_3_data_3_part = right_columns_3_data_3_above;  // polar.h:276
     wire right_columns_3_data = right_columns_3_data_3_part;  // polar.h:276
-    wire test_26 = $signed(chosen_15) > $signed(13'd8191);
+    wire test_26 = $signed(chosen_14) > $signed(13'd8191);
     wire both_27 = test_23 & test_26;  // polar.h:277
     wire differs_7 = ~both_27;  // polar.h:276
     wire both_29 = both_25_s2 & differs_7;  // polar.h:276
@@ -442,56 +442,56 @@ module polar (
     wire [11:0] difference_4 = sum_18 - left_columns_0_data;  // polar.h:278
     wire [11:0] sum_19 = difference_4 + step_3_s3;  // polar.h:278
     wire [11:0] next = both_29_s3 ? step_3_s3 : sum_19;  // polar.h:276
-    wire [1:0] chosen_22 = lines_leftward_V_data_s3 ? right_columns_2_data : left_columns_2_data;  // polar.h:279
+    wire [1:0] chosen_21 = lines_leftward_V_data_s3 ? right_columns_2_data : left_columns_2_data;  // polar.h:279
     wire test_27 = {1'd0, width} > step;  // polar.h:280
     wire either_9 = test_18 | test_4_s1;  // polar.h:281
-    wire [1:0] chosen_23 = test_27_s3 ? chosen_22 : 2'd0;  // polar.h:284
+    wire [1:0] chosen_22 = test_27_s3 ? chosen_21 : 2'd0;  // polar.h:284
     wire test_28 = step_4 != 2'd0;  // polar.h:170
     wire both_32 = rule_run_rule_V & lines_contact_first_V_data;  // polar.h:171
-    wire both_33 = chosen_23[0];
-    wire [1:0] chosen_24 = rule_run_rule_V ? {1'd0, both_33} : chosen_23;  // polar.h:172
-    wire test_29 = chosen_24 == 2'd0;  // polar.h:173
+    wire both_33 = chosen_22[0];
+    wire [1:0] chosen_23 = rule_run_rule_V ? {1'd0, both_33} : chosen_22;  // polar.h:172
+    wire test_29 = chosen_23 == 2'd0;  // polar.h:173
     wire both_35 = both_25_s3 & test_29;  // polar.h:171
     wire differs_8 = ~test_29;  // polar.h:171
     wire both_36 = both_25_s3 & differs_8;  // polar.h:171
-    wire chosen_25 = lines_leftward_V_data_s3 ? right_columns_3_data : left_columns_3_data;  // polar.h:279
-    wire [11:0] chosen_26 = test_28 ? states_9_data : 12'd0;  // polar.h:174
-    wire shifted_5 = chosen_23[1];  // polar.h:174
-    wire [11:0] sum_20 = chosen_26_s3 + {11'd0, shifted_5};  // polar.h:174
-    wire test_30 = chosen_23 > step_4_s3;  // polar.h:175
+    wire chosen_24 = lines_leftward_V_data_s3 ? right_columns_3_data : left_columns_3_data;  // polar.h:279
+    wire [11:0] chosen_25 = test_28 ? states_9_data : 12'd0;  // polar.h:174
+    wire shifted_5 = chosen_22[1];  // polar.h:174
+    wire [11:0] sum_20 = chosen_25_s3 + {11'd0, shifted_5};  // polar.h:174
+    wire test_30 = chosen_22 > step_4_s3;  // polar.h:175
     wire [11:0] sum_21 = states_9_data + 12'd1;  // polar.h:175
     wire [11:0] triangle = test_30 ? 12'd0 : sum_21_s3;  // polar.h:175
-    wire [11:0] chosen_27 = rule_run_rule_V ? sum_20 : triangle;  // polar.h:176
-    wire both_38 = both_36 & chosen_25;  // polar.h:171
+    wire [11:0] chosen_26 = rule_run_rule_V ? sum_20 : triangle;  // polar.h:176
+    wire both_38 = both_36 & chosen_24;  // polar.h:171
     wire [2:0] still_before = test_28 ? states_11_data : 3'd0;  // polar.h:177
     wire test_31 = still_before == 3'd4;  // polar.h:178
     wire [2:0] sum_22 = still_before + 3'd1;  // polar.h:179
-    wire [2:0] chosen_28 = test_31 ? still_before : sum_22;  // polar.h:179
-    wire [2:0] chosen_29 = both_38 ? 3'd0 : chosen_28_s3;  // polar.h:171
+    wire [2:0] chosen_27 = test_31 ? still_before : sum_22;  // polar.h:179
+    wire [2:0] chosen_28 = both_38 ? 3'd0 : chosen_27_s3;  // polar.h:171
     wire both_41 = test_28 & both_32;  // polar.h:181
-    wire [1:0] chosen_30 = both_35 ? step_4_s3 : chosen_24;  // polar.h:171
-    wire [11:0] next_2 = both_35 ? states_9_data_s3 : chosen_27;  // polar.h:171
+    wire [1:0] chosen_29 = both_35 ? step_4_s3 : chosen_23;  // polar.h:171
+    wire [11:0] next_2 = both_35 ? states_9_data_s3 : chosen_26;  // polar.h:171
     wire either_10 = both_35 | both_41_s3;  // polar.h:171
     wire [12:0] next_3 = either_10 ? states_10_data_s3 : step_s3;  // polar.h:171
-    wire [2:0] next_4 = both_35 ? states_11_data_s3 : chosen_29;  // polar.h:171
+    wire [2:0] next_4 = both_35 ? states_11_data_s3 : chosen_28;  // polar.h:171
     wire [11:0] next_5 = both_35 ? states_8_data_s3 : sum_10_s3;  // polar.h:171
     wire either_11 = both_35 | test_28_s3;  // polar.h:171
     wire [11:0] next_6 = either_11 ? states_7_data_s3 : sum_10_s3;  // polar.h:171
     wire [11:0] difference_5 = sum_10_s3 - next_5;  // polar.h:184
-    wire [11:0] chosen_31 = rule_run_rule_V ? rule_max_gap_V : 12'd0;  // polar.h:185
-    wire test_32 = difference_5_s4 > chosen_31_s4;  // polar.h:185
-    wire [1:0] either_12 = step_4_s3 | chosen_24;  // polar.h:186
+    wire [11:0] chosen_30 = rule_run_rule_V ? rule_max_gap_V : 12'd0;  // polar.h:185
+    wire test_32 = difference_5_s4 > chosen_30_s4;  // polar.h:185
+    wire [1:0] either_12 = step_4_s3 | chosen_23;  // polar.h:186
     wire brmerge = either_12 != 2'd0;  // polar.h:186
     wire either_13 = test_32 | either_9_s4;
     wire both_43 = brmerge_s4 & either_13;  // polar.h:186
-    wire [1:0] next_7 = both_43 ? 2'd0 : chosen_30_s4;  // polar.h:187
+    wire [1:0] next_7 = both_43 ? 2'd0 : chosen_29_s4;  // polar.h:187
     wire [11:0] difference_6 = next_5 - next_6;  // polar.h:193
     wire [11:0] sum_23 = difference_6_s4 + 12'd1;  // polar.h:193
-    wire [11:0] chosen_32 = both_32_s3 ? next_6 : next_5;  // polar.h:194
-    wire [12:0] value_65 = rule_horizon_row_V;  // polar.h:195
-    wire [13:0] difference_7 = {2'd0, chosen_32_s4} - {{1{value_65_s4[12]}}, value_65_s4};  // polar.h:195
-    wire [13:0] value_66 = difference_7;  // polar.h:195
-    wire [23:0] product = $signed(value_66) * $signed({1'd0, rule_height_ratio_V});  // polar.h:195
+    wire [11:0] chosen_31 = both_32_s3 ? next_6 : next_5;  // polar.h:194
+    wire [12:0] value_64 = rule_horizon_row_V;  // polar.h:195
+    wire [13:0] difference_7 = {2'd0, chosen_31_s4} - {{1{value_64_s4[12]}}, value_64_s4};  // polar.h:195
+    wire [13:0] value_65 = difference_7;  // polar.h:195
+    wire [23:0] product = $signed(value_65) * $signed({1'd0, rule_height_ratio_V});  // polar.h:195
     wire [15:0] shifted_6 = product[23:8];  // polar.h:195
     wire test_33 = sum_23 >= rule_min_rows_V;  // polar.h:196
     wire test_34 = $signed(shifted_6) <= $signed({4'd0, sum_23});
@@ -509,18 +509,18 @@ module polar (
     wire either_16 = either_15 | differs_10;  // polar.h:196
     wire test_37 = next_2 > 12'd4;  // polar.h:198
     wire both_51 = both_49 & either_16;
-    wire chosen_33 = rule_run_rule_V ? both_51_s5 : test_37_s5;
+    wire chosen_32 = rule_run_rule_V ? both_51_s5 : test_37_s5;
     wire both_52 = both_25_s4 & both_43;  // polar.h:196
-    wire both_53 = both_52_s5 & chosen_33;  // polar.h:196
-    wire [11:0] chosen_34 = rule_run_rule_V ? sum_23 : next_2_s4;  // polar.h:202
+    wire both_53 = both_52_s5 & chosen_32;  // polar.h:196
+    wire [11:0] chosen_33 = rule_run_rule_V ? sum_23 : next_2_s4;  // polar.h:202
     wire [20:0] shifted_7 = {next_3, 8'd0};  // polar.h:286
     wire [20:0] either_17 = shifted_7 | {13'd0, sum_11_s3};  // polar.h:286
-    wire [32:0] shifted_8 = {chosen_32, 21'd0};  // polar.h:286
+    wire [32:0] shifted_8 = {chosen_31, 21'd0};  // polar.h:286
     wire [32:0] either_18 = {12'd0, either_17} | shifted_8;  // polar.h:286
-    wire [44:0] shifted_9 = {chosen_34, 33'd0};  // polar.h:286
+    wire [44:0] shifted_9 = {chosen_33, 33'd0};  // polar.h:286
     wire [44:0] either_19 = {12'd0, either_18_s4} | shifted_9;  // polar.h:286
-    wire [45:0] chosen_35 = test_32 ? 46'd0 : 46'h200000000000;  // polar.h:286
-    wire [45:0] either_20 = {1'd0, either_19} | chosen_35;  // polar.h:286
+    wire [45:0] chosen_34 = test_32 ? 46'd0 : 46'h200000000000;  // polar.h:286
+    wire [45:0] either_20 = {1'd0, either_19} | chosen_34;  // polar.h:286
     wire [11:0] states_11_store_0 = next;  // polar.h:288
     wire [1:0] states_11_store_1 = next_7;  // polar.h:288
     wire [11:0] states_11_store_2 = next_6;  // polar.h:288
@@ -528,7 +528,7 @@ module polar (
     wire [11:0] states_11_store_4 = next_2;  // polar.h:288
     wire [12:0] states_11_store_5 = next_3;  // polar.h:288
     wire [2:0] states_11_store_6 = next_4;  // polar.h:288
-    wire [11:0] states_11_store_7 = chosen_16;  // polar.h:288
+    wire [11:0] states_11_store_7 = chosen_15;  // polar.h:288
     wire [12:0] states_11_store_8 = sum_17;  // polar.h:288
     wire states_11_store_9 = test_19;  // polar.h:288
     wire [91:0] states_11_store_word = {states_11_store_9_s4, states_11_store_8_s4, states_11_store_7_s4, states_11_store_6_s4, states_11_store_5_s4, states_11_store_4_s4, states_11_store_3_s4, states_11_store_2_s4, states_11_store_1, states_11_store_0_s4};  // polar.h:288
@@ -536,11 +536,11 @@ module polar (
     wire both_57 = both_11 & test_4;  // polar.h:288
     wire test_38 = sum_10_s1 < lines_first_row_V_data;  // polar.h:291
     wire test_39 = sum_3_q == {2'd0, sum_11};  // polar.h:291
-    wire [11:0] chosen_36 = test_38_s3 ? 12'd0 : next_8;  // polar.h:292
-    wire [19:0] shifted_10 = {chosen_36, 8'd0};  // polar.h:292
+    wire [11:0] chosen_35 = test_38_s3 ? 12'd0 : next_8;  // polar.h:292
+    wire [19:0] shifted_10 = {chosen_35, 8'd0};  // polar.h:292
     wire [19:0] either_21 = shifted_10_s4 | {12'd0, sum_11_s4};  // polar.h:292
-    wire [20:0] chosen_37 = test_39 ? 21'd1048576 : 21'd0;  // polar.h:292
-    wire [20:0] either_22 = {1'd0, either_21} | chosen_37_s4;  // polar.h:292
+    wire [20:0] chosen_36 = test_39 ? 21'd1048576 : 21'd0;  // polar.h:292
+    wire [20:0] either_22 = {1'd0, either_21} | chosen_36_s4;  // polar.h:292
     wire test_40 = at_3 == sum_2_q;  // raster.h:18
     wire [11:0] sum_24 = at_3 + 12'd1;  // raster.h:21
     wire [11:0] at_4 = at_2 + {11'd0, test_40};  // raster.h:21
@@ -688,7 +688,7 @@ module polar (
         if (for_2_active[0] & for_2_front_ce) taps_9 <= pixel_2;
         if (for_2_active[0] & for_2_front_ce) at_2 <= at_4;
         if (for_2_active[0] & for_2_front_ce) at_3 <= at_5;
-        if (for_2_active[0] & for_2_front_ce) high_before <= chosen_12;
+        if (for_2_active[0] & for_2_front_ce) high_before <= chosen_11;
         case (state)
             S_IDLE: if (ap_start) begin
                 state <= S_ENTRY;
@@ -697,13 +697,13 @@ module polar (
                 if (test_3) begin
                     state <= S_IF_2;
                 end else begin
-                    state <= S_ZN9AP_DETAIL6LARGEREII;
+                    state <= S_CYCLES;
                 end
             end
             S_IF_2: if (~stall) begin
-                state <= S_ZN9AP_DETAIL6LARGEREII;
+                state <= S_CYCLES;
             end
-            S_ZN9AP_DETAIL6LARGEREII: if (~stall) begin
+            S_CYCLES: if (~stall) begin
                 state <= S_FOR_2;
                 for_2_active[0] <= 1'b1;
                 taps <= 2'd0;
@@ -737,9 +737,9 @@ module polar (
     always @(posedge clk) begin
         if ((state == S_ENTRY) & ~stall) walked_q <= walked;
         if ((state == S_ENTRY) & ~stall) tail_q <= tail;
-        if ((state == S_ZN9AP_DETAIL6LARGEREII) & ~stall) sum_2_q <= sum_2;
-        if ((state == S_ZN9AP_DETAIL6LARGEREII) & ~stall) at_q <= at;
-        if ((state == S_ZN9AP_DETAIL6LARGEREII) & ~stall) sum_3_q <= sum_3;
+        if ((state == S_CYCLES) & ~stall) sum_2_q <= sum_2;
+        if ((state == S_CYCLES) & ~stall) at_q <= at;
+        if ((state == S_CYCLES) & ~stall) sum_3_q <= sum_3;
         if (for_2_front_ce) begin
             test_4_s1 <= test_4;
             either_2_s1 <= either_2;
@@ -747,10 +747,10 @@ module polar (
             both_8_s1 <= both_8;
             both_11_s1 <= both_11;
             sum_11_s1 <= sum_11;
-            chosen_31_s1 <= chosen_31;
-            value_65_s1 <= value_65;
+            chosen_30_s1 <= chosen_30;
+            value_64_s1 <= value_64;
             both_57_s1 <= both_57;
-            chosen_37_s1 <= chosen_37;
+            chosen_36_s1 <= chosen_36;
         end
         if (for_2_ce) begin
             either_2_s2 <= either_2_s1;
@@ -791,7 +791,7 @@ module polar (
             sum_14_s2 <= sum_14;
             test_19_s2 <= test_19;
             differs_5_s2 <= differs_5;
-            value_36_s2 <= value_36;
+            value_35_s2 <= value_35;
             difference_2_s2 <= difference_2;
             both_25_s2 <= both_25;
             both_25_s3 <= both_25_s2;
@@ -808,26 +808,26 @@ module polar (
             test_28_s3 <= test_28_s2;
             both_32_s2 <= both_32;
             both_32_s3 <= both_32_s2;
-            chosen_26_s2 <= chosen_26;
-            chosen_26_s3 <= chosen_26_s2;
+            chosen_25_s2 <= chosen_25;
+            chosen_25_s3 <= chosen_25_s2;
             sum_21_s2 <= sum_21;
             sum_21_s3 <= sum_21_s2;
-            chosen_28_s2 <= chosen_28;
-            chosen_28_s3 <= chosen_28_s2;
+            chosen_27_s2 <= chosen_27;
+            chosen_27_s3 <= chosen_27_s2;
             both_41_s2 <= both_41;
             both_41_s3 <= both_41_s2;
-            chosen_30_s4 <= chosen_30;
+            chosen_29_s4 <= chosen_29;
             next_2_s4 <= next_2;
             difference_5_s4 <= difference_5;
-            chosen_31_s2 <= chosen_31_s1;
-            chosen_31_s3 <= chosen_31_s2;
-            chosen_31_s4 <= chosen_31_s3;
+            chosen_30_s2 <= chosen_30_s1;
+            chosen_30_s3 <= chosen_30_s2;
+            chosen_30_s4 <= chosen_30_s3;
             brmerge_s4 <= brmerge;
             difference_6_s4 <= difference_6;
-            chosen_32_s4 <= chosen_32;
-            value_65_s2 <= value_65_s1;
-            value_65_s3 <= value_65_s2;
-            value_65_s4 <= value_65_s3;
+            chosen_31_s4 <= chosen_31;
+            value_64_s2 <= value_64_s1;
+            value_64_s3 <= value_64_s2;
+            value_64_s4 <= value_64_s3;
             product_2_s4 <= product_2;
             test_36_s4 <= test_36;
             differs_9_s2 <= differs_9;
@@ -845,9 +845,9 @@ module polar (
             test_38_s2 <= test_38;
             test_38_s3 <= test_38_s2;
             shifted_10_s4 <= shifted_10;
-            chosen_37_s2 <= chosen_37_s1;
-            chosen_37_s3 <= chosen_37_s2;
-            chosen_37_s4 <= chosen_37_s3;
+            chosen_36_s2 <= chosen_36_s1;
+            chosen_36_s3 <= chosen_36_s2;
+            chosen_36_s4 <= chosen_36_s3;
             states_11_store_0_s4 <= states_11_store_0;
             states_11_store_2_s4 <= states_11_store_2;
             states_11_store_3_s4 <= states_11_store_3;
