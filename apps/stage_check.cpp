@@ -50,8 +50,9 @@ class RingCheck {
 
  private:
   /// Steps of the interpolation in a pixel.
-  static constexpr int kSteps = 16;
-  /// An error for what no place within half a pixel explains.
+  static constexpr int kSteps = 64;
+  /// Steps on each side that are tried, and the error, in pixels, of what no place among them explains.
+  static constexpr int kTried = 4;
   static constexpr double kReach = 4;
 
   double error(const StageCapture& capture, const golden::PixelPairs& golden, int u, int v) const {
@@ -85,8 +86,8 @@ class RingCheck {
   double explaining_distance(cv::Point2d place, int reference, int gradient) const {
     const cv::Point steps(cvFloor(place.x * kSteps + 0.5), cvFloor(place.y * kSteps + 0.5));
     double least = kReach;
-    for (int y = -kSteps / 2; y <= kSteps / 2; ++y) {
-      for (int x = -kSteps / 2; x <= kSteps / 2; ++x) {
+    for (int y = -kTried; y <= kTried; ++y) {
+      for (int x = -kTried; x <= kTried; ++x) {
         const cv::Point at = steps + cv::Point(x, y);
         const double distance =
             std::max(std::abs(at.x / double(kSteps) - place.x), std::abs(at.y / double(kSteps) - place.y));

@@ -10,7 +10,7 @@ namespace floorline::golden {
 namespace {
 
 /// Steps of the interpolation in a pixel.
-constexpr int steps = 16;
+constexpr int steps = 64;
 
 double interpolated(double a, double b, double place) { return a + (b - a) * place; }
 

@@ -10,7 +10,7 @@ namespace floorline::golden {
 /// A frame of pixel pairs: CV_8UC1 images of one size. Where `valid` is 0, reference and gradient are 0 too.
 struct PixelPairs {
   cv::Mat current;
-  cv::Mat reference;  ///< Interpolated at H(u, v), a coordinate rounded to sixteenths of a pixel.
+  cv::Mat reference;  ///< Interpolated at H(u, v), a coordinate rounded to 64ths of a pixel.
   cv::Mat gradient;   ///< Greater difference across a diagonal of the 2x2 cell there, clamped to the image.
   cv::Mat valid;      ///< 255 or 0.
 };

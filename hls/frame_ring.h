@@ -8,7 +8,7 @@
 ///
 /// Map. X, Y (Q14.18) and Z (Q4.28) are linear in u and v and are accumulated. x = X / Z and y = Y / Z come
 /// from one reciprocal (reciprocal.h) and one multiplication each, within 0.05 px for images up to 2048
-/// columns, rounded to sixteenths of a pixel.
+/// columns, rounded to 64ths of a pixel.
 ///
 /// Pair: reference, interpolated linearly in the cell at floor(x), floor(y) and rounded; gradient, the
 /// greater difference across a diagonal of the cell (Roberts' cross: |dI/dx| + |dI/dy| of the interpolated
@@ -31,26 +31,26 @@
 
 namespace floorline {
 
-typedef ap_uint<4> Sixteenths;
+typedef ap_uint<6> Place;  ///< Within a pixel, 64ths.
 
 /// The two pixels on both sides of a coordinate on one axis of an image: the cell along that axis.
 struct AxisCell {
   Size first;
-  Size second;       ///< first + 1, or `first` where one of both would be outside the image.
-  Sixteenths place;  ///< Of the coordinate between both.
+  Size second;  ///< first + 1, or `first` where one of both would be outside the image.
+  Place place;  ///< Of the coordinate between both.
   bool inside;  ///< The pixel nearest to the coordinate is inside the image; if not, the rest is meaningless.
   bool single;  ///< second == first.
 };
 
-/// coordinate: in thirty-seconds of a pixel, rounded down.
-inline AxisCell axis_cell(ap_int<24> coordinate, Size extent) {
+/// coordinate: in 128ths of a pixel, rounded down.
+inline AxisCell axis_cell(ap_int<26> coordinate, Size extent) {
 #pragma HLS INLINE
-  const ap_int<24> sixteenths = (coordinate + 1) >> 1;
-  const ap_int<20> below = sixteenths >> 4;
+  const ap_int<26> rounded = (coordinate + 1) >> 1;
+  const ap_int<20> below = rounded >> 6;
   const Size last = extent - 1;
   AxisCell cell;
-  cell.place = Sixteenths(sixteenths);
-  const bool upper_half = cell.place[3];  // The nearest pixel is the one after `below`.
+  cell.place = Place(rounded);
+  const bool upper_half = cell.place[5];  // The nearest pixel is the one after `below`.
   const bool before_first = below == -1;
   cell.inside =
       (below >= 0 || (before_first && upper_half)) && (below < last || (below == last && !upper_half));
@@ -60,11 +60,11 @@ inline AxisCell axis_cell(ap_int<24> coordinate, Size extent) {
   return cell;
 }
 
-/// 16 times the value between a and b.
-inline ap_uint<12> between(Pixel a, Pixel b, Sixteenths place) {
+/// 64 times the value between a and b.
+inline ap_uint<14> between(Pixel a, Pixel b, Place place) {
 #pragma HLS INLINE
   const ap_int<9> rise = b - a;
-  return (ap_uint<12>(a) << 4) + rise * place;
+  return (ap_uint<14>(a) << 6) + rise * place;
 }
 
 inline Pixel distance(Pixel a, Pixel b) {
@@ -74,13 +74,13 @@ inline Pixel distance(Pixel a, Pixel b) {
 
 /// Reference and gradient from a cell whose pixels are given row by row.
 inline void interpolate(Pixel upper_left, Pixel upper_right, Pixel lower_left, Pixel lower_right,
-                        Sixteenths across, Sixteenths down, PixelPair& pair) {
+                        Place across, Place down, PixelPair& pair) {
 #pragma HLS INLINE
-  const ap_uint<12> upper = between(upper_left, upper_right, across);
-  const ap_uint<12> lower = between(lower_left, lower_right, across);
-  const ap_int<13> rise = lower - upper;
-  const ap_uint<16> sum = (ap_uint<16>(upper) << 4) + rise * down + 128;
-  pair.reference = sum >> 8;
+  const ap_uint<14> upper = between(upper_left, upper_right, across);
+  const ap_uint<14> lower = between(lower_left, lower_right, across);
+  const ap_int<15> rise = lower - upper;
+  const ap_uint<20> sum = (ap_uint<20>(upper) << 6) + rise * down + (1 << 11);
+  pair.reference = sum >> 12;
   const Pixel falling = distance(upper_left, lower_right);
   const Pixel rising = distance(upper_right, lower_left);
   pair.gradient = falling > rising ? falling : rising;
@@ -136,8 +136,8 @@ PIXELS:
     pair.current = in.read();
 
     const Reciprocal denominator = reciprocal(z_walk.value);
-    const AxisCell column = axis_cell(quotient<19>(x_walk.value >> 7, denominator), width);
-    const AxisCell row = axis_cell(quotient<19>(y_walk.value >> 7, denominator), height);
+    const AxisCell column = axis_cell(quotient<17>(x_walk.value >> 7, denominator), width);
+    const AxisCell row = axis_cell(quotient<17>(y_walk.value >> 7, denominator), height);
     const bool alive = !replace_reference || row.first + spare_rows > at.v;
     pair.valid = has_reference && denominator.valid && column.inside && row.inside && alive;
 

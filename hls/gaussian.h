@@ -1,7 +1,7 @@
 /// Gaussian 3x3, sigma 0.8, replicated borders: takes single-pixel noise out of the difference.
 ///
 /// Separable: columns first, then rows. Weights 245, 534, 245 / 1024 (exact: 0.23899, 0.52201, 0.23899); with
-/// the column value kept to 4 fraction bits the result is within 1 LSB of the exact one, rounded.
+/// the column value kept to 8 fraction bits the result is within 1 LSB of the exact one, rounded.
 /// II = 1; a frame takes width * height + width + 1 + depth cycles (window.h). Least width in hardware: 4.
 #ifndef FLOORLINE_HLS_GAUSSIAN_H
 #define FLOORLINE_HLS_GAUSSIAN_H
@@ -20,16 +20,16 @@ inline ap_int<BITS + 11> gaussian_sum(ap_uint<BITS> first, ap_uint<BITS> centre,
 
 struct GaussianFilter {
   typedef Pixel Element;
-  typedef ap_uint<12> Column;  ///< Q8.4.
+  typedef ap_uint<16> Column;  ///< Q8.8.
 
   static Column reduce_column(Element top, Element middle, Element bottom) {
 #pragma HLS INLINE
-    return (gaussian_sum<8>(top, middle, bottom) + 32) >> 6;
+    return (gaussian_sum<8>(top, middle, bottom) + 2) >> 2;
   }
 
   static Element reduce_row(Column left, Column middle, Column right) {
 #pragma HLS INLINE
-    return (gaussian_sum<12>(left, middle, right) + 8192) >> 14;
+    return (gaussian_sum<16>(left, middle, right) + (1 << 17)) >> 18;
   }
 };
 

@@ -76,28 +76,28 @@ module gaussian_handwritten #(
         .read_data    (above)
     );
 
-    // Stages 2 to 4: the column value, Q8.4.
+    // Stages 2 to 4: the column value, Q8.8.
     reg signed [9:0]   curvature2_reg;
     reg        [7:0]   middle2_reg, middle3_reg;
     reg signed [18:0]  product3_reg;
     reg        [17:0]  sum4_reg;
-    wire       [11:0]  column4 = sum4_reg[17:6];
+    wire       [15:0]  column4 = sum4_reg[17:2];
 
     // Stages 5 to 7: the row value.
-    reg        [11:0]  left_reg, middle4_reg;
-    reg signed [13:0]  curvature5_reg;
-    reg        [11:0]  centre5_reg, centre6_reg;
-    reg signed [22:0]  product6_reg;
-    reg        [21:0]  sum7_reg;
+    reg        [15:0]  left_reg, middle4_reg;
+    reg signed [17:0]  curvature5_reg;
+    reg        [15:0]  centre5_reg, centre6_reg;
+    reg signed [26:0]  product6_reg;
+    reg        [25:0]  sum7_reg;
     reg  [6:2]         fills_reg;
     reg  [4:2]         left_edge_reg, right_edge_reg;
     reg                write_reg;
-    wire        [11:0] left  = left_edge_reg[4] ? middle4_reg : left_reg;
-    wire        [11:0] right = right_edge_reg[4] ? middle4_reg : column4;
-    wire               unused_fraction = &{1'b0, sum4_reg[5:0], sum7_reg[13:0], product3_reg[18], product6_reg[22]};
+    wire        [15:0] left  = left_edge_reg[4] ? middle4_reg : left_reg;
+    wire        [15:0] right = right_edge_reg[4] ? middle4_reg : column4;
+    wire               unused_fraction = &{1'b0, sum4_reg[1:0], sum7_reg[17:0], product3_reg[18], product6_reg[26]};
 
     assign step      = (!write_reg || out_full_n) && (!(valid1_reg && takes1_reg) || in_empty_n);
-    assign out_din   = sum7_reg[21:14];
+    assign out_din   = sum7_reg[25:18];
     assign out_write = write_reg && step;
 
     always @(posedge clk) begin
@@ -114,15 +114,15 @@ module gaussian_handwritten #(
             middle2_reg    <= middle;
             middle3_reg    <= middle2_reg;
             product3_reg   <= {{9{curvature2_reg[9]}}, curvature2_reg} * 19'sd245;
-            sum4_reg       <= product3_reg[17:0] + {middle3_reg, 10'd32};
+            sum4_reg       <= product3_reg[17:0] + {middle3_reg, 10'd2};
 
             middle4_reg    <= column4;
             left_reg       <= middle4_reg;
             curvature5_reg <= {2'b00, left} + {2'b00, right} - {1'b0, middle4_reg, 1'b0};
             centre5_reg    <= middle4_reg;
             centre6_reg    <= centre5_reg;
-            product6_reg   <= {{9{curvature5_reg[13]}}, curvature5_reg} * 23'sd245;
-            sum7_reg       <= product6_reg[21:0] + {centre6_reg, 10'd0} + 22'd8192;
+            product6_reg   <= {{9{curvature5_reg[17]}}, curvature5_reg} * 27'sd245;
+            sum7_reg       <= product6_reg[25:0] + {centre6_reg, 10'd0} + 26'd131072;
 
             fills_reg      <= {fills_reg[5:2], valid1_reg && fills1_reg};
             left_edge_reg  <= {left_edge_reg[3:2], left_edge1_reg};

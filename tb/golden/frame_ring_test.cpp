@@ -50,12 +50,12 @@ TEST(FrameRing, BordersLieHalfAPixelOutside) {
   EXPECT_EQ(pairs.valid.at<uchar>(0, size.width - 1), 0) << "x = width - 0.5 lies outside";
 }
 
-TEST(FrameRing, ReferenceIsInterpolatedInSixteenths) {
+TEST(FrameRing, ReferenceIsInterpolatedInSteps) {
   FrameRing ring(roomy);
   const cv::Mat reference = random_image(size, CV_8UC1);
   ring.pair(reference, shift(0, 0), true);
-  // 0.27 and 0.73 are rounded to 4/16 and 12/16.
-  const PixelPairs pairs = ring.pair(reference, shift(0.27, 0.73), false);
+  // Rounded to 16/64 and 48/64.
+  const PixelPairs pairs = ring.pair(reference, shift(0.257, 0.743), false);
   const int a = reference.at<uchar>(7, 12), b = reference.at<uchar>(7, 13), c = reference.at<uchar>(8, 12),
             d = reference.at<uchar>(8, 13);
   EXPECT_EQ(pairs.reference.at<uchar>(7, 12), (3 * a + b + 9 * c + 3 * d + 8) / 16);
@@ -115,7 +115,7 @@ TEST(FrameRing, AgreesWithWarpPerspective) {
   const PixelPairs pairs = ring.pair(reference, h, false);
   cv::Mat expected;
   cv::warpPerspective(reference, expected, h, size, cv::INTER_LINEAR | cv::WARP_INVERSE_MAP);
-  // OpenCV rounds coordinates to 1/32 pixel, the ring to 1/16.
+  // OpenCV rounds coordinates to 1/32 pixel, the ring to 1/64.
   int compared = 0;
   for (int v = 1; v < size.height - 1; ++v) {
     for (int u = 1; u < size.width - 1; ++u) {
