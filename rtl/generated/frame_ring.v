@@ -91,22 +91,22 @@ module frame_ring (
     reg [16:0] shifted_7_s2;
     reg [24:0] shifted_8_s1;
     reg [24:0] shifted_8_s2;
+    reg [26:0] sum_3_s3;
     reg [19:0] shifted_11_s3;
-    reg [3:0] shifted_12_s3;
-    reg [3:0] shifted_12_s4;
-    reg [3:0] shifted_12_s5;
-    reg [3:0] shifted_12_s6;
-    reg [4:0] both_11_s3;
+    reg [5:0] shifted_12_s3;
+    reg [5:0] shifted_12_s4;
+    reg [5:0] shifted_12_s5;
+    reg [5:0] shifted_12_s6;
     reg [11:0] value_28_s3;
     reg [24:0] shifted_13_s1;
     reg [24:0] shifted_13_s2;
+    reg [26:0] sum_5_s3;
     reg [19:0] shifted_16_s3;
-    reg [3:0] shifted_17_s3;
-    reg [3:0] shifted_17_s4;
-    reg [3:0] shifted_17_s5;
-    reg [3:0] shifted_17_s6;
-    reg [3:0] shifted_17_s7;
-    reg [4:0] both_18_s3;
+    reg [5:0] shifted_17_s3;
+    reg [5:0] shifted_17_s4;
+    reg [5:0] shifted_17_s5;
+    reg [5:0] shifted_17_s6;
+    reg [5:0] shifted_17_s7;
     reg [11:0] value_34_s3;
     reg brmerge_3_s1;
     reg brmerge_3_s2;
@@ -129,15 +129,16 @@ module frame_ring (
     reg test_28_s5;
     reg test_29_s4;
     reg test_29_s5;
-    reg [11:0] shifted_22_s6;
-    reg [8:0] value_60_s6;
-    reg [11:0] shifted_23_s6;
-    reg [8:0] value_67_s6;
-    reg [15:0] shifted_24_s7;
-    reg [12:0] value_71_s7;
-    reg [23:0] shifted_25_s6;
-    reg [23:0] shifted_25_s7;
-    reg [23:0] either_9_s8;
+    reg [13:0] shifted_22_s6;
+    reg [8:0] value_61_s6;
+    reg [13:0] shifted_23_s6;
+    reg [8:0] value_68_s6;
+    reg [19:0] shifted_24_s7;
+    reg [14:0] value_73_s7;
+    reg [15:0] either_8_s8;
+    reg [23:0] shifted_26_s6;
+    reg [23:0] shifted_26_s7;
+    reg [23:0] shifted_26_s8;
     reg [24:0] chosen_31_s4;
     reg [24:0] chosen_31_s5;
     reg [24:0] chosen_31_s6;
@@ -153,16 +154,11 @@ module frame_ring (
     reg [16:0] sum_21_s3;
     reg [16:0] sum_21_s4;
     reg [16:0] sum_21_s5;
-    reg both_37_s1;
-    reg both_37_s2;
-    reg both_37_s3;
-    reg both_37_s4;
-    reg both_37_s5;
-    reg both_40_s1;
-    reg both_40_s2;
-    reg both_40_s3;
-    reg both_40_s4;
-    reg both_40_s5;
+    reg both_39_s1;
+    reg both_39_s2;
+    reg both_39_s3;
+    reg both_39_s4;
+    reg both_39_s5;
     reg both_42_s1;
     reg both_42_s2;
     reg both_42_s3;
@@ -173,6 +169,11 @@ module frame_ring (
     reg both_44_s3;
     reg both_44_s4;
     reg both_44_s5;
+    reg both_46_s1;
+    reg both_46_s2;
+    reg both_46_s3;
+    reg both_46_s4;
+    reg both_46_s5;
     reg test_39_s1;
     reg test_39_s2;
     reg test_39_s3;
@@ -254,15 +255,15 @@ module frame_ring (
     wire [24:0] shifted_8 = x_walk_3[31:7];  // reciprocal.h:70
     wire [41:0] product_2 = $signed(shifted_8_s2) * $signed({1'd0, shifted_7_s2});  // reciprocal.h:70
     wire [42:0] shifted_9_wide = {{1{product_2[41]}}, product_2};
-    wire [23:0] shifted_9 = shifted_9_wide[42:19];  // reciprocal.h:71
-    wire [23:0] shifted_10 = $signed(shifted_9) >>> chosen_5_s2;  // reciprocal.h:71
-    wire [23:0] value_25 = shifted_10;  // frame_ring.h:48
-    wire [24:0] sum_3 = {{1{value_25[23]}}, value_25} + 25'd1;  // frame_ring.h:48
-    wire [19:0] shifted_11 = sum_3[24:5];  // frame_ring.h:49
-    wire [4:0] value_27 = sum_3[4:0];  // frame_ring.h:52
-    wire [3:0] shifted_12 = value_27[4:1];  // frame_ring.h:52
-    wire [4:0] both_11 = sum_3[4:0] & 5'd16;  // frame_ring.h:53
-    wire test_11 = both_11_s3 == 5'd0;  // frame_ring.h:53
+    wire [25:0] shifted_9 = shifted_9_wide[42:17];  // reciprocal.h:71
+    wire [25:0] shifted_10 = $signed(shifted_9) >>> chosen_5_s2;  // reciprocal.h:71
+    wire [25:0] value_25 = shifted_10;  // frame_ring.h:48
+    wire [26:0] sum_3 = {{1{value_25[25]}}, value_25} + 27'd1;  // frame_ring.h:48
+    wire [19:0] shifted_11 = sum_3[26:7];  // frame_ring.h:49
+    wire [6:0] value_27 = sum_3[6:0];  // frame_ring.h:52
+    wire [5:0] shifted_12 = value_27[6:1];  // frame_ring.h:52
+    wire [6:0] both_11 = sum_3_s3[6:0] & 7'd64;  // frame_ring.h:53
+    wire test_11 = both_11 == 7'd0;  // frame_ring.h:53
     wire test_12 = shifted_11_s3 != 20'd1048575;  // frame_ring.h:54
     wire test_13 = $signed(shifted_11_s3) < $signed(20'd0);  // frame_ring.h:56
     wire brmerge = test_11 | test_12;
@@ -283,15 +284,15 @@ module frame_ring (
     wire [24:0] shifted_13 = y_walk_2[31:7];  // reciprocal.h:70
     wire [41:0] product_3 = $signed(shifted_13_s2) * $signed({1'd0, shifted_7_s2});  // reciprocal.h:70
     wire [42:0] shifted_14_wide = {{1{product_3[41]}}, product_3};
-    wire [23:0] shifted_14 = shifted_14_wide[42:19];  // reciprocal.h:71
-    wire [23:0] shifted_15 = $signed(shifted_14) >>> chosen_5_s2;  // reciprocal.h:71
-    wire [23:0] value_31 = shifted_15;  // frame_ring.h:48
-    wire [24:0] sum_5 = {{1{value_31[23]}}, value_31} + 25'd1;  // frame_ring.h:48
-    wire [19:0] shifted_16 = sum_5[24:5];  // frame_ring.h:49
-    wire [4:0] value_33 = sum_5[4:0];  // frame_ring.h:52
-    wire [3:0] shifted_17 = value_33[4:1];  // frame_ring.h:52
-    wire [4:0] both_18 = sum_5[4:0] & 5'd16;  // frame_ring.h:53
-    wire test_17 = both_18_s3 == 5'd0;  // frame_ring.h:53
+    wire [25:0] shifted_14 = shifted_14_wide[42:17];  // reciprocal.h:71
+    wire [25:0] shifted_15 = $signed(shifted_14) >>> chosen_5_s2;  // reciprocal.h:71
+    wire [25:0] value_31 = shifted_15;  // frame_ring.h:48
+    wire [26:0] sum_5 = {{1{value_31[25]}}, value_31} + 27'd1;  // frame_ring.h:48
+    wire [19:0] shifted_16 = sum_5[26:7];  // frame_ring.h:49
+    wire [6:0] value_33 = sum_5[6:0];  // frame_ring.h:52
+    wire [5:0] shifted_17 = value_33[6:1];  // frame_ring.h:52
+    wire [6:0] both_18 = sum_5_s3[6:0] & 7'd64;  // frame_ring.h:53
+    wire test_17 = both_18 == 7'd0;  // frame_ring.h:53
     wire test_18 = shifted_16_s3 != 20'd1048575;  // frame_ring.h:54
     wire test_19 = $signed(shifted_16_s3) < $signed(20'd0);  // frame_ring.h:56
     wire brmerge_2 = test_17 | test_18;
@@ -380,22 +381,21 @@ module frame_ring (
     wire [7:0] chosen_26 = test_29_s5 ? cell_2 : chosen_21;  // banks.h:54
     wire [7:0] chosen_27 = test_29_s5 ? chosen_23 : chosen_24;  // banks.h:54
     wire [8:0] difference_2 = {1'd0, chosen_25} - {1'd0, chosen_22};  // frame_ring.h:66
-    wire [11:0] shifted_22 = {chosen_22, 4'd0};  // frame_ring.h:67
-    wire [8:0] value_60 = difference_2;  // frame_ring.h:67
-    wire [11:0] product_6 = $signed(value_60_s6) * $signed({1'd0, shifted_12_s6});  // frame_ring.h:67
-    wire [11:0] sum_16 = shifted_22_s6 + product_6;  // frame_ring.h:67
+    wire [13:0] shifted_22 = {chosen_22, 6'd0};  // frame_ring.h:67
+    wire [8:0] value_61 = difference_2;  // frame_ring.h:67
+    wire [13:0] product_6 = $signed(value_61_s6) * $signed({1'd0, shifted_12_s6});  // frame_ring.h:67
+    wire [13:0] sum_16 = shifted_22_s6 + product_6;  // frame_ring.h:67
     wire [8:0] difference_3 = {1'd0, chosen_27} - {1'd0, chosen_26};  // frame_ring.h:66
-    wire [11:0] shifted_23 = {chosen_26, 4'd0};  // frame_ring.h:67
-    wire [8:0] value_67 = difference_3;  // frame_ring.h:67
-    wire [11:0] product_7 = $signed(value_67_s6) * $signed({1'd0, shifted_12_s6});  // frame_ring.h:67
-    wire [11:0] sum_17 = shifted_23_s6 + product_7;  // frame_ring.h:67
-    wire [12:0] difference_4 = {1'd0, sum_17} - {1'd0, sum_16};  // frame_ring.h:81
-    wire [15:0] shifted_24 = {sum_16, 4'd0};  // frame_ring.h:82
-    wire [12:0] value_71 = difference_4;  // frame_ring.h:82
-    wire [15:0] product_8 = $signed(value_71_s7) * $signed({1'd0, shifted_17_s7});  // frame_ring.h:82
-    wire [15:0] sum_18 = shifted_24_s7 + product_8;  // frame_ring.h:82
-    wire [15:0] sum_19 = sum_18 + 16'd128;  // frame_ring.h:82
-    wire [15:0] both_35 = sum_19 & 16'd65280;  // frame_ring.h:152
+    wire [13:0] shifted_23 = {chosen_26, 6'd0};  // frame_ring.h:67
+    wire [8:0] value_68 = difference_3;  // frame_ring.h:67
+    wire [13:0] product_7 = $signed(value_68_s6) * $signed({1'd0, shifted_12_s6});  // frame_ring.h:67
+    wire [13:0] sum_17 = shifted_23_s6 + product_7;  // frame_ring.h:67
+    wire [14:0] difference_4 = {1'd0, sum_17} - {1'd0, sum_16};  // frame_ring.h:81
+    wire [19:0] shifted_24 = {sum_16, 6'd0};  // frame_ring.h:82
+    wire [14:0] value_73 = difference_4;  // frame_ring.h:82
+    wire [19:0] product_8 = $signed(value_73_s7) * $signed({1'd0, shifted_17_s7});  // frame_ring.h:82
+    wire [19:0] sum_18 = shifted_24_s7 + product_8;  // frame_ring.h:82
+    wire [19:0] sum_19 = sum_18 + 20'd2048;  // frame_ring.h:82
     wire test_30 = chosen_22 > chosen_27;  // frame_ring.h:72
     wire [7:0] difference_5 = chosen_22 - chosen_27;  // frame_ring.h:72
     wire [7:0] difference_6 = chosen_27 - chosen_22;  // frame_ring.h:72
@@ -406,33 +406,35 @@ module frame_ring (
     wire [7:0] chosen_29 = test_31 ? difference_7 : difference_8;  // frame_ring.h:72
     wire test_32 = chosen_28 > chosen_29;  // frame_ring.h:86
     wire [7:0] chosen_30 = test_32 ? chosen_28 : chosen_29;  // frame_ring.h:86
-    wire [15:0] either_8 = both_35 | {8'd0, in_data_s7};  // frame_ring.h:152
-    wire [23:0] shifted_25 = {chosen_30, 16'd0};  // frame_ring.h:152
-    wire [23:0] either_9 = shifted_25_s7 | {8'd0, either_8};  // frame_ring.h:152
+    wire [15:0] shifted_25 = sum_19[19:4];  // frame_ring.h:152
+    wire [15:0] both_37 = shifted_25 & 16'd65280;  // frame_ring.h:152
+    wire [15:0] either_8 = both_37 | {8'd0, in_data_s7};  // frame_ring.h:152
+    wire [23:0] shifted_26 = {chosen_30, 16'd0};  // frame_ring.h:152
+    wire [23:0] either_9 = shifted_26_s8 | {8'd0, either_8_s8};  // frame_ring.h:152
     wire [24:0] chosen_31 = both_26 ? 25'd16777216 : 25'd0;  // frame_ring.h:152
-    wire [24:0] either_10 = {1'd0, either_9_s8} | chosen_31_s8;  // frame_ring.h:152
+    wire [24:0] either_10 = {1'd0, either_9} | chosen_31_s8;  // frame_ring.h:152
     wire differs_5 = ~both_26;  // frame_ring.h:153
     wire [23:0] sum_20 = null_count + {23'd0, differs_5};  // frame_ring.h:153
-    wire [10:0] shifted_26 = write_row_2[11:1];  // banks.h:88
-    wire [16:0] product_9_shifted_8 = {shifted_26[8:0], 8'd0};  // banks.h:88
-    wire [16:0] product_9_shifted_6 = {shifted_26, 6'd0};  // banks.h:88
+    wire [10:0] shifted_27 = write_row_2[11:1];  // banks.h:88
+    wire [16:0] product_9_shifted_8 = {shifted_27[8:0], 8'd0};  // banks.h:88
+    wire [16:0] product_9_shifted_6 = {shifted_27, 6'd0};  // banks.h:88
     wire [16:0] product_9 = product_9_shifted_8 + product_9_shifted_6;  // banks.h:88
-    wire [10:0] shifted_27 = at_3[11:1];  // banks.h:88
-    wire [16:0] sum_21 = product_9 + {6'd0, shifted_27};  // banks.h:88
-    wire value_79 = write_row_2[0];  // banks.h:89
-    wire value_80 = at_3[0];  // banks.h:90
-    wire differs_6 = ~value_79;  // banks.h:91
-    wire differs_7 = ~value_80;  // banks.h:91
-    wire both_36 = differs_6 & differs_7;  // banks.h:91
-    wire both_37 = replace_reference & both_36;  // banks.h:62
-    wire both_38 = at_3[0];  // banks.h:92
-    wire both_39 = differs_6 & both_38;  // banks.h:92
-    wire both_40 = replace_reference & both_39;  // banks.h:91
-    wire value_84 = write_row_2[0];  // banks.h:93
-    wire both_41 = value_84 & differs_7;  // banks.h:93
-    wire both_42 = replace_reference & both_41;  // banks.h:92
-    wire both_43 = value_84 & both_38;  // banks.h:94
-    wire both_44 = replace_reference & both_43;  // banks.h:93
+    wire [10:0] shifted_28 = at_3[11:1];  // banks.h:88
+    wire [16:0] sum_21 = product_9 + {6'd0, shifted_28};  // banks.h:88
+    wire value_81 = write_row_2[0];  // banks.h:89
+    wire value_82 = at_3[0];  // banks.h:90
+    wire differs_6 = ~value_81;  // banks.h:91
+    wire differs_7 = ~value_82;  // banks.h:91
+    wire both_38 = differs_6 & differs_7;  // banks.h:91
+    wire both_39 = replace_reference & both_38;  // banks.h:62
+    wire both_40 = at_3[0];  // banks.h:92
+    wire both_41 = differs_6 & both_40;  // banks.h:92
+    wire both_42 = replace_reference & both_41;  // banks.h:91
+    wire value_86 = write_row_2[0];  // banks.h:93
+    wire both_43 = value_86 & differs_7;  // banks.h:93
+    wire both_44 = replace_reference & both_43;  // banks.h:92
+    wire both_45 = value_86 & both_40;  // banks.h:94
+    wire both_46 = replace_reference & both_45;  // banks.h:93
     wire test_37 = at_3 == at_q;  // raster.h:18
     wire [31:0] chosen_32 = test_37 ? homography_xv_V : homography_xu_V;  // raster.h:42
     wire [31:0] chosen_33 = test_37 ? x_walk_2 : x_walk_3;  // raster.h:42
@@ -631,7 +633,7 @@ module frame_ring (
             even_even_words[even_even_index] = 8'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if (for_3_active[5] & for_3_ce & both_37_s5) even_even_words[sum_21_s5] <= in_data_s5;
+        if (for_3_active[5] & for_3_ce & both_39_s5) even_even_words[sum_21_s5] <= in_data_s5;
         if (for_3_active[4] & for_3_ce) even_even_read <= even_even_words[sum_12];
     end
 
@@ -645,7 +647,7 @@ module frame_ring (
             even_odd_words[even_odd_index] = 8'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if (for_3_active[5] & for_3_ce & both_40_s5) even_odd_words[sum_21_s5] <= in_data_s5;
+        if (for_3_active[5] & for_3_ce & both_42_s5) even_odd_words[sum_21_s5] <= in_data_s5;
         if (for_3_active[4] & for_3_ce) even_odd_read <= even_odd_words[sum_13];
     end
 
@@ -659,7 +661,7 @@ module frame_ring (
             odd_even_words[odd_even_index] = 8'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if (for_3_active[5] & for_3_ce & both_42_s5) odd_even_words[sum_21_s5] <= in_data_s5;
+        if (for_3_active[5] & for_3_ce & both_44_s5) odd_even_words[sum_21_s5] <= in_data_s5;
         if (for_3_active[4] & for_3_ce) odd_even_read <= odd_even_words[sum_14];
     end
 
@@ -673,7 +675,7 @@ module frame_ring (
             odd_odd_words[odd_odd_index] = 8'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if (for_3_active[5] & for_3_ce & both_44_s5) odd_odd_words[sum_21_s5] <= in_data_s5;
+        if (for_3_active[5] & for_3_ce & both_46_s5) odd_odd_words[sum_21_s5] <= in_data_s5;
         if (for_3_active[4] & for_3_ce) odd_odd_read <= odd_odd_words[sum_15];
     end
     assign in_read = (for_3_active[0] & for_3_front_ce);
@@ -801,10 +803,10 @@ module frame_ring (
             shifted_13_s1 <= shifted_13;
             brmerge_3_s1 <= brmerge_3;
             sum_21_s1 <= sum_21;
-            both_37_s1 <= both_37;
-            both_40_s1 <= both_40;
+            both_39_s1 <= both_39;
             both_42_s1 <= both_42;
             both_44_s1 <= both_44;
+            both_46_s1 <= both_46;
             test_39_s1 <= test_39;
         end
         if (for_3_ce) begin
@@ -819,21 +821,21 @@ module frame_ring (
             chosen_5_s2 <= chosen_5_s1;
             shifted_7_s2 <= shifted_7;
             shifted_8_s2 <= shifted_8_s1;
+            sum_3_s3 <= sum_3;
             shifted_11_s3 <= shifted_11;
             shifted_12_s3 <= shifted_12;
             shifted_12_s4 <= shifted_12_s3;
             shifted_12_s5 <= shifted_12_s4;
             shifted_12_s6 <= shifted_12_s5;
-            both_11_s3 <= both_11;
             value_28_s3 <= value_28;
             shifted_13_s2 <= shifted_13_s1;
+            sum_5_s3 <= sum_5;
             shifted_16_s3 <= shifted_16;
             shifted_17_s3 <= shifted_17;
             shifted_17_s4 <= shifted_17_s3;
             shifted_17_s5 <= shifted_17_s4;
             shifted_17_s6 <= shifted_17_s5;
             shifted_17_s7 <= shifted_17_s6;
-            both_18_s3 <= both_18;
             value_34_s3 <= value_34;
             brmerge_3_s2 <= brmerge_3_s1;
             brmerge_3_s3 <= brmerge_3_s2;
@@ -856,14 +858,15 @@ module frame_ring (
             test_29_s4 <= test_29;
             test_29_s5 <= test_29_s4;
             shifted_22_s6 <= shifted_22;
-            value_60_s6 <= value_60;
+            value_61_s6 <= value_61;
             shifted_23_s6 <= shifted_23;
-            value_67_s6 <= value_67;
+            value_68_s6 <= value_68;
             shifted_24_s7 <= shifted_24;
-            value_71_s7 <= value_71;
-            shifted_25_s6 <= shifted_25;
-            shifted_25_s7 <= shifted_25_s6;
-            either_9_s8 <= either_9;
+            value_73_s7 <= value_73;
+            either_8_s8 <= either_8;
+            shifted_26_s6 <= shifted_26;
+            shifted_26_s7 <= shifted_26_s6;
+            shifted_26_s8 <= shifted_26_s7;
             chosen_31_s4 <= chosen_31;
             chosen_31_s5 <= chosen_31_s4;
             chosen_31_s6 <= chosen_31_s5;
@@ -878,14 +881,10 @@ module frame_ring (
             sum_21_s3 <= sum_21_s2;
             sum_21_s4 <= sum_21_s3;
             sum_21_s5 <= sum_21_s4;
-            both_37_s2 <= both_37_s1;
-            both_37_s3 <= both_37_s2;
-            both_37_s4 <= both_37_s3;
-            both_37_s5 <= both_37_s4;
-            both_40_s2 <= both_40_s1;
-            both_40_s3 <= both_40_s2;
-            both_40_s4 <= both_40_s3;
-            both_40_s5 <= both_40_s4;
+            both_39_s2 <= both_39_s1;
+            both_39_s3 <= both_39_s2;
+            both_39_s4 <= both_39_s3;
+            both_39_s5 <= both_39_s4;
             both_42_s2 <= both_42_s1;
             both_42_s3 <= both_42_s2;
             both_42_s4 <= both_42_s3;
@@ -894,6 +893,10 @@ module frame_ring (
             both_44_s3 <= both_44_s2;
             both_44_s4 <= both_44_s3;
             both_44_s5 <= both_44_s4;
+            both_46_s2 <= both_46_s1;
+            both_46_s3 <= both_46_s2;
+            both_46_s4 <= both_46_s3;
+            both_46_s5 <= both_46_s4;
             test_39_s2 <= test_39_s1;
             test_39_s3 <= test_39_s2;
             test_39_s4 <= test_39_s3;

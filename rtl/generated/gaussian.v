@@ -29,8 +29,8 @@ module gaussian (
 
     reg [11:0] at_2;
     reg [11:0] at_3;
-    reg [11:0] middle;
-    reg [11:0] left;
+    reg [15:0] middle;
+    reg [15:0] left;
     reg [4:0] for_2_active;  // stages at work
     wire [15:0] rows_above_q;
     reg [11:0] at_q;
@@ -49,17 +49,18 @@ module gaussian (
     reg [7:0] in_data_s1;
     reg [17:0] shifted_4_s2;
     reg [9:0] value_12_s2;
-    reg both_9_s1;
-    reg both_9_s2;
-    reg both_9_s3;
-    reg both_9_s4;
+    reg both_8_s1;
+    reg both_8_s2;
+    reg both_8_s3;
+    reg both_8_s4;
     reg either_4_s1;
     reg either_4_s2;
-    reg [11:0] chosen_s3;
-    reg [11:0] chosen_2_s3;
-    reg [12:0] shifted_6_s3;
-    reg [21:0] shifted_7_s3;
-    reg [21:0] sum_6_s4;
+    reg [15:0] chosen_s3;
+    reg [15:0] chosen_2_s3;
+    reg [16:0] shifted_6_s3;
+    reg [25:0] shifted_7_s3;
+    reg [25:0] shifted_7_s4;
+    reg [25:0] product_2_s4;
 
     wire stall;
     wire for_2_ce;
@@ -100,27 +101,26 @@ module gaussian (
     wire [9:0] value_12 = difference;  // gaussian.h:18
     wire [17:0] product = $signed(value_12_s2) * $signed(9'd245);  // gaussian.h:18
     wire [17:0] sum_3 = shifted_4_s2 + product;  // gaussian.h:18
-    wire [17:0] sum_4 = sum_3 + 18'd32;  // gaussian.h:27
-    wire [11:0] shifted_5 = sum_4[17:6];  // gaussian.h:27
+    wire [17:0] sum_4 = sum_3 + 18'd2;  // gaussian.h:27
+    wire [15:0] shifted_5 = sum_4[17:2];  // gaussian.h:27
     wire test_7 = at_3 > 12'd1;  // window.h:54
     wire test_8 = at_2 != 12'd0;
-    wire both_8 = test_5 & test_8;
-    wire either_3 = test_7 | both_8;  // window.h:54
-    wire both_9 = either & either_3;  // window.h:49
+    wire both_7 = test_5 & test_8;
+    wire either_3 = test_7 | both_7;  // window.h:54
+    wire both_8 = either & either_3;  // window.h:49
     wire test_9 = at_2 == 12'd1;  // window.h:56
     wire either_4 = test_9 | test_q;  // window.h:56
-    wire [11:0] chosen = either_4_s2 ? middle : left;  // window.h:58
-    wire [11:0] chosen_2 = test_4_s2 ? middle : shifted_5;  // window.h:58
-    wire [12:0] sum_5 = {1'd0, chosen_2_s3} + {1'd0, chosen_s3};  // gaussian.h:17
-    wire [12:0] shifted_6 = {middle, 1'd0};  // gaussian.h:17
-    wire [13:0] difference_2 = {1'd0, sum_5} - {1'd0, shifted_6_s3};  // gaussian.h:17
-    wire [13:0] value_20 = difference_2;  // gaussian.h:17
-    wire [21:0] shifted_7 = {middle, 10'd0};  // gaussian.h:18
-    wire [13:0] value_22 = value_20;  // gaussian.h:18
-    wire [21:0] product_2 = $signed(value_22) * $signed(9'd245);  // gaussian.h:18
-    wire [21:0] sum_6 = shifted_7_s3 + product_2;  // gaussian.h:18
-    wire [21:0] sum_7 = sum_6_s4 + 22'd8192;  // gaussian.h:32
-    wire [7:0] shifted_8 = sum_7[21:14];  // gaussian.h:32
+    wire [15:0] chosen = either_4_s2 ? middle : left;  // window.h:58
+    wire [15:0] chosen_2 = test_4_s2 ? middle : shifted_5;  // window.h:58
+    wire [16:0] sum_5 = {1'd0, chosen_s3} + {1'd0, chosen_2_s3};  // gaussian.h:17
+    wire [16:0] shifted_6 = {middle, 1'd0};  // gaussian.h:17
+    wire [17:0] difference_2 = {1'd0, sum_5} - {1'd0, shifted_6_s3};  // gaussian.h:17
+    wire [25:0] shifted_7 = {middle, 10'd0};  // gaussian.h:18
+    wire [17:0] value_19 = difference_2;  // gaussian.h:18
+    wire [25:0] product_2 = $signed(value_19) * $signed(9'd245);  // gaussian.h:18
+    wire [25:0] sum_6 = shifted_7_s4 + product_2_s4;  // gaussian.h:18
+    wire [25:0] sum_7 = sum_6 + 26'd131072;  // gaussian.h:32
+    wire [7:0] shifted_8 = sum_7[25:18];  // gaussian.h:32
     wire test_10 = at_2 == at_q;  // raster.h:18
     wire [11:0] sum_8 = at_2 + 12'd1;  // raster.h:21
     wire [11:0] at_4 = test_10 ? 12'd0 : sum_8;  // raster.h:21
@@ -129,7 +129,7 @@ module gaussian (
     // memory rows_above: 640 x 16
 
     assign stall = 1'b0;
-    assign for_2_ce = ~((for_2_active[4] & both_9_s4 & ~out_full_n));
+    assign for_2_ce = ~((for_2_active[4] & both_8_s4 & ~out_full_n));
     assign for_2_front_ce = for_2_ce & ~((for_2_active[0] & both_3 & ~in_empty_n));
 
 
@@ -147,7 +147,7 @@ module gaussian (
         if (for_2_active[0] & for_2_front_ce) rows_above_read <= rows_above_words[value_4];
     end
     assign in_read = (for_2_active[0] & for_2_front_ce & both_3);
-    assign out_write = (for_2_active[4] & for_2_ce & both_9_s4);
+    assign out_write = (for_2_active[4] & for_2_ce & both_8_s4);
     assign out_din = shifted_8;
 
     assign ap_idle = (state == S_IDLE);
@@ -177,8 +177,8 @@ module gaussian (
                 for_2_active[0] <= 1'b1;
                 at_2 <= 12'd0;
                 at_3 <= 12'd0;
-                middle <= 12'd0;
-                left <= 12'd0;
+                middle <= 16'd0;
+                left <= 16'd0;
             end
             S_FOR_2: if (for_2_active[4] & for_2_ce & ~either_s4) begin
                 state <= S_DONE;
@@ -204,7 +204,7 @@ module gaussian (
             both_3_s1 <= both_3;
             both_4_s1 <= both_4;
             in_data_s1 <= in_data;
-            both_9_s1 <= both_9;
+            both_8_s1 <= both_8;
             either_4_s1 <= either_4;
         end
         if (for_2_ce) begin
@@ -214,15 +214,16 @@ module gaussian (
             either_s4 <= either_s3;
             shifted_4_s2 <= shifted_4;
             value_12_s2 <= value_12;
-            both_9_s2 <= both_9_s1;
-            both_9_s3 <= both_9_s2;
-            both_9_s4 <= both_9_s3;
+            both_8_s2 <= both_8_s1;
+            both_8_s3 <= both_8_s2;
+            both_8_s4 <= both_8_s3;
             either_4_s2 <= either_4_s1;
             chosen_s3 <= chosen;
             chosen_2_s3 <= chosen_2;
             shifted_6_s3 <= shifted_6;
             shifted_7_s3 <= shifted_7;
-            sum_6_s4 <= sum_6;
+            shifted_7_s4 <= shifted_7_s3;
+            product_2_s4 <= product_2;
         end
     end
 
