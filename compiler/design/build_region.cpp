@@ -11,11 +11,6 @@ Region ProcessBuilder::build_region(const std::vector<Process>& processes) {
   region_ = &region;
   region_processes_ = &processes;
   region.head = build();
-  for (const RegionChannel& channel : region.channels)
-    if (channel.reader < 0)
-      throw CompileError(
-          info_->location,
-          "array '" + channel.name + "' is written by a process and read by none; remove it or read it");
   for (const RegionStream& stream : region.streams) check_ends(stream);
   region.head.streams.clear();  // They pass the head by.
   return region;

@@ -218,7 +218,7 @@ struct RegionStream {
 struct RegionChannel {
   std::string name;
   uint64_t depth = 0;                          ///< Elements.
-  int writer = -1, reader = -1;                ///< Instances.
+  int writer = -1, reader = -1;                ///< Instances; no reader: what is written goes nowhere.
   std::map<uint64_t, unsigned> member_widths;  ///< Byte offset of a member in an element -> bits.
 };
 

@@ -9,6 +9,7 @@
 #include "differential/child.h"
 #include "differential/expectation.h"
 #include "differential/native_program.h"
+#include "differential/stage_check.h"
 #include "differential/steering.h"
 #include "differential/verilog_bench.h"
 #include "tool/compile.h"
@@ -34,7 +35,10 @@ class CaseRun {
       std::string broken = failed_expectation(report_of(compiled_, schedule_options(options_)), steering_);
       if (!broken.empty()) return {Outcome::kExpectation, broken};
       CaseResult native = run_native();
-      return native.outcome == Outcome::kPass ? run_verilog() : native;
+      if (native.outcome != Outcome::kPass) return native;
+      std::string wrong = stages_.wrong_stage(compiled_, steering_, work_);
+      if (!wrong.empty()) return {Outcome::kMismatch, wrong};
+      return run_verilog();
     } catch (const CompileError& refusal) {
       return {Outcome::kRefused, first_line(refusal.what())};
     } catch (const std::exception& failure) {
@@ -51,6 +55,7 @@ class CaseRun {
     options_.frontend.files = {kernel_.string()};
     for (const std::string& file : steering_.files)
       options_.frontend.files.push_back((kernel_.parent_path() / file).string());
+    options_.on_stage = stages_.observer();
     compiled_ = compile(options_);
   }
 
@@ -107,6 +112,7 @@ class CaseRun {
   Steering steering_;
   CompileOptions options_;
   CompileResult compiled_;
+  StageCheck stages_;
 };
 
 }  // namespace

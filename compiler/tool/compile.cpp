@@ -51,18 +51,29 @@ class Compilation {
 
  private:
   CompiledProcess scheduled(Process process) {
+    tell("build", process);
     share_loads(process);
     remove_dead(process);
     merge_exclusive_accesses(process);
+    tell("merge accesses", process);
     narrow(process);
+    tell("narrow", process);
     expand_divisions(process);
     expand_constant_products(process);
+    tell("expand products and divisions", process);
     narrow(process);
     fold(process);
     forward_copies(process);
     remove_dead(process);
     join_aggregates(process, result_.diagnostics);
-    return {process, schedule_process(process, schedule_options_, result_.diagnostics)};
+    tell("simplify", process);
+    CompiledProcess made{process, schedule_process(process, schedule_options_, result_.diagnostics)};
+    tell("schedule", made.process, &made.schedule);
+    return made;
+  }
+
+  void tell(const char* stage, const Process& process, const ProcessSchedule* schedule = nullptr) const {
+    if (options_.on_stage) options_.on_stage(stage, process, schedule);
   }
 
   void add_process(Process process) {

@@ -2,6 +2,7 @@
 #ifndef HLSC_TOOL_COMPILE_H
 #define HLSC_TOOL_COMPILE_H
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,11 +13,16 @@
 
 namespace hlsc {
 
+/// Called with a process as a stage of the compiler leaves it; the schedule is null before there is one.
+using StageObserver =
+    std::function<void(const std::string& stage, const Process& process, const ProcessSchedule* schedule)>;
+
 struct CompileOptions {
   FrontendOptions frontend;
   std::string target = "xc7";
-  double period = 10;   ///< ns
-  bool strict = false;  ///< The first warning is an error.
+  double period = 10;      ///< ns
+  bool strict = false;     ///< The first warning is an error.
+  StageObserver on_stage;  ///< May be empty.
 };
 
 /// One generated file.

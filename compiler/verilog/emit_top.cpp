@@ -105,7 +105,8 @@ class TopWriter {
       else
         add_fifo(stream);
     }
-    for (const RegionChannel& channel : region.channels) add_channel(channel);
+    for (const RegionChannel& channel : region.channels)
+      if (channel.reader >= 0) add_channel(channel);
     for (const RegionScalar& scalar : region.scalars) declare_region_scalar(scalar);
     for (const ScalarPort& scalar : region.head.scalars)
       if (scalar.instance < 0) add_scalar(scalar);
@@ -261,6 +262,14 @@ class TopWriter {
     }
   }
 
+  /// Ports of an array that a process fills and none reads.
+  static std::string unread(const std::string& memory) {
+    std::string out;
+    for (const char* port : {"_address0", "_ce0", "_we0", "_d0"})
+      out += ",\n        ." + memory + port + "()";
+    return out;
+  }
+
   /// Connects the ports of an instance to its channels; gives the condition under which the instance may
   /// start.
   std::string channel_connections(const Region& region, const Instance& instance, size_t index,
@@ -269,6 +278,10 @@ class TopWriter {
     std::set<int> seen;
     for (const ChannelPort& port : instance.channels) {
       const RegionChannel& channel = region.channels[port.channel];
+      if (channel.reader < 0) {
+        out << unread(port.memory);
+        continue;
+      }
       bool writes = channel.writer == static_cast<int>(index);
       std::string member = member_name(channel, port.byte_offset);
       std::string address = member + (writes ? "_write_address" : "_read_address");
