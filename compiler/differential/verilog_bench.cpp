@@ -52,6 +52,8 @@ class VerilogBench {
     declare("integer call = 0;      // whose scalars are on the ports");
     declare("integer available = -1;  // tokens up to this call may go in");
     declare("integer finished = 0;  // calls that are done");
+    declare(
+        "integer run = 0, longest = 0;  // cycles of the run from its start on, and of the longest so far");
     declare("reg start = 0, moved;");
     declare("reg proceed = 1;");
     declare("wire done, ready;");
@@ -74,6 +76,8 @@ class VerilogBench {
         "        if (idle > {}) fail_at(\"nothing moves\");\n"
         "{}"
         "        if (done & proceed) finished <= finished + 1;\n"
+        "        run <= done | ~start ? 0 : run + 1;\n"
+        "        if (done && run > longest) longest <= run;\n"
         "{}"
         "    end\n\n",
         kIdleLimit, ports_.has_continue ? "        proceed <= ($random(seed) & 3) != 0;\n" : "", restart());
@@ -276,7 +280,7 @@ class VerilogBench {
            fmt::format("        repeat ({}) @(posedge clk);\n", 1 + seed_ % 3) + body +
            fmt::format(
                "        repeat ({}) @(posedge clk);\n"
-               "        $display(\"PASS %0d\", cycles);\n"
+               "        $display(\"PASS in %0d cycles, longest run %0d\", cycles, longest);\n"
                "        $finish;\n"
                "    end\n",
                kQuietCycles);
