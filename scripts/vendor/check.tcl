@@ -98,26 +98,13 @@ proc hls_commands {formats part} {
     return {csim_design csynth_design cosim_design export_design}
 }
 
-# Vivado HLS alone: structs are packed by directive, and each array that hls/ aggregates must have one.
+# Vivado HLS alone: structs are packed by directive.
 proc vivado_hls_commands {} {
-    variable ::packed {}
-    proc ::set_directive_data_pack {function variable} {
-        need set_directive_data_pack open_solution
-        if {[lsearch -exact $::calls csynth_design] >= 0} { reject "set_directive_data_pack comes after csynth_design" }
-        lappend ::packed [list $function $variable]
-    }
-    return [hls_commands {sysgen|ip_catalog|pcore|syn_dcp} {xc6v[a-z]+[0-9]+tff[0-9]+-[123]}]
-}
-
-proc need_packed {} {
-    foreach header [glob -directory $::root hls/*.h] {
-        set file [open $header]
-        foreach {- variable} [regexp -all -inline {#pragma HLS AGGREGATE variable = (\w+)} [read $file]] {
-            set array [list [file rootname [file tail $header]] $variable]
-            if {[lsearch -exact $::packed $array] < 0} { reject "it never packs the array '$variable' of $header" }
-        }
-        close $file
-    }
+    command set_directive_data_pack open_solution {} 2
+    checked set_directive_data_pack {} {[a-z_]+}
+    set must [hls_commands {sysgen|ip_catalog|pcore|syn_dcp} {xc6v[a-z]+[0-9]+tff[0-9]+-[123]}]
+    command csim_design {create_clock set_directive_data_pack} {} 0
+    return $must
 }
 
 # ISE.
@@ -177,4 +164,3 @@ source $script
 foreach command $must {
     if {[lsearch -exact $calls $command] < 0} { reject "it never calls $command" }
 }
-if {[info exists packed]} { need_packed }

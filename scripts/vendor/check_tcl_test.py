@@ -14,7 +14,7 @@ SPOILED = [  # script, text, what comes in its place, a part of the sentence
     ("vivado_hls.tcl", "-format pcore", "-format zip", "'zip', which is not"),
     ("vivado_hls.tcl", "xc6vlx240tff1156-1", "xc7a200tsbg484-1", "which is not xc6v"),
     ("vivado_hls.tcl", "create_clock -period 10", "create_clock -period fast", "'fast', which is not"),
-    ("vivado_hls.tcl", "set_directive_data_pack cluster candidates\n", "", "never packs the array 'candidates'"),
+    ("vivado_hls.tcl", "set_directive_data_pack $kernel_top $port", "set_directive_data_pack $port", "takes 2 arguments"),
     ("vivado_hls.tcl", "open_solution", "open_solutions", "invalid command name"),
     ("vitis_hls.tcl", "add_files -tb", "add_files -tb missing.cpp", "missing.cpp, which does not exist"),
     ("ise.tcl", "[constraints_file ml605.ucf]", "[constraints_file ml606.ucf]", "ml606.ucf, which does not exist"),

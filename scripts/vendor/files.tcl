@@ -9,6 +9,20 @@ proc kernel_testbench {} { global root; return [file join $root scripts vendor a
 # c++0x is what GCC 4.6, which Vivado HLS brings for its C simulation, calls C++11; later compilers know it too.
 proc kernel_flags {} { global root; return "-std=c++0x -I[file join $root hls]" }
 
+# {function array} of every array of structs that hls/ aggregates; a kernel has the name of its header.
+proc aggregated_arrays {} {
+    global root
+    set arrays {}
+    foreach header [lsort [glob -directory $root hls/*.h]] {
+        set file [open $header]
+        foreach {- variable} [regexp -all -inline {#pragma HLS AGGREGATE variable = (\w+)} [read $file]] {
+            lappend arrays [list [file rootname [file tail $header]] $variable]
+        }
+        close $file
+    }
+    return $arrays
+}
+
 # The Verilog of floorline_top: hand-written, library, generated.
 proc verilog_sources {} {
     global root

@@ -12,10 +12,10 @@ add_files -tb [kernel_testbench] -cflags [kernel_flags]
 open_solution -reset virtex6
 set_part {xc6vlx240tff1156-1}
 create_clock -period 10 -name default
-# This tool's name for AGGREGATE. A stream of structs would become a port for each member; one word carries them all, packed from bit 0.
-foreach stream {points obstacles counts} { set_directive_data_pack $kernel_top $stream }
-foreach array {left_columns right_columns states} { set_directive_data_pack polar $array }
-set_directive_data_pack cluster candidates
+# DATA_PACK is this tool's name for AGGREGATE. A stream of structs would become a port for each member; one word carries them all, packed from
+# bit 0. So does a word of the line table.
+foreach port {points obstacles counts lines} { set_directive_data_pack $kernel_top $port }
+foreach array [aggregated_arrays] { set_directive_data_pack {*}$array }
 csim_design
 csynth_design
 cosim_design -rtl verilog
