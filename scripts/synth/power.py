@@ -23,6 +23,7 @@ RECORD = flow.RECORDS / "activity.json"
 SOURCES = ("rtl/*.v", "rtl/lib/*.v", "rtl/generated/*.v", "rtl/board/demonstration.v", "rtl/board/register_setup.v",
            "rtl/board/serial_results.v", "scripts/synth/activity/video_file.v", "scripts/synth/activity/main.cpp")
 CORE = "TOP.demonstration.top.core."  # where the parts of the accelerator are
+PAGE = "\x01page\x02v_toggle"
 OTHER = "other"                       # everything around it
 
 
@@ -45,20 +46,25 @@ def simulate():
     return int(done.stdout)
 
 
-def read_coverage(file, cycles):
-    """{part: changes per bit and cycle} of Verilator's coverage data; a part is an instance in the core, OTHER is all else."""
-    changes, bits = collections.Counter(), collections.Counter()
+def toggle_points(file):
+    """(module, name of the bit, instance, changes) of every point of Verilator's coverage data; fifo__W21_D2 is a fifo."""
     for line in file.read_text(errors="replace").splitlines():
         match = re.match(r"C '(.*)' (\d+)$", line)
-        if not match or "\x01page\x02v_toggle" not in match.group(1):
-            continue
-        fields = dict(field.split("\x02", 1) for field in match.group(1).split("\x01") if "\x02" in field)
-        if fields["o"].startswith(("clk", "aclk")):  # the clock network has a coefficient of its own
-            continue
-        instance = fields["h"][len(CORE):].split(".")[0] if fields["h"].startswith(CORE) else OTHER
-        changes[instance] += int(match.group(2))
-        bits[instance] += 1
-    return {instance: round(changes[instance] / bits[instance] / cycles, 5) for instance in sorted(bits)}
+        if match and PAGE in match.group(1):
+            fields = dict(field.split("\x02", 1) for field in match.group(1).split("\x01") if "\x02" in field)
+            yield fields["page"].split("/")[1].split("__")[0], fields["o"], fields["h"], int(match.group(2))
+
+
+def read_coverage(file, cycles):
+    """{part: changes per bit and cycle}; a part is a module in the core, with all that is in it, and OTHER all that is around the core."""
+    points = [point for point in toggle_points(file) if not re.fullmatch(r"a?clk", point[1])]  # the clock has a coefficient of its own
+    modules = {instance: module for module, _, instance, _ in points if instance.startswith(CORE) and "." not in instance[len(CORE):]}
+    changes, bits = collections.Counter(), collections.Counter()
+    for _, _, instance, count in points:
+        part = modules.get(CORE + instance[len(CORE):].split(".")[0], OTHER) if instance.startswith(CORE) else OTHER
+        changes[part] += count
+        bits[part] += 1
+    return {part: round(changes[part] / bits[part] / cycles, 5) for part in sorted(bits)}
 
 
 def activity(record):

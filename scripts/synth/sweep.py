@@ -59,16 +59,16 @@ def holds(device, total):
 
 
 def measure(options):
-    """[(width, height, result on xc6v, result on ecp5)]; placed where the LFE5U-85F holds it."""
+    """[(width, height, result on xc6v, result on ecp5)]; placed where the LFE5U-85F holds it. Virtex-6 and the largest come first, so that a
+    run that is stopped has recorded what docs/synthesis.md wants most."""
     largest = next(device for device in devices() if device["name"] == "LFE5U-85F")
-    rows = []
-    for width, height in SIZES:
-        xilinx = flow.evaluate(design(width, height, "xc6v"), record=options.record)
-        lattice = flow.evaluate(design(width, height, "ecp5"), record=options.record)
-        if holds(largest, lattice["total"]):
-            lattice = flow.evaluate(design(width, height, "ecp5"), options.seeds, options.record, options.jobs)
-        rows.append((width, height, xilinx, lattice))
-    return rows
+    xilinx = {size: flow.evaluate(design(*size, "xc6v"), record=options.record) for size in reversed(SIZES)}
+    lattice = {}
+    for size in SIZES:
+        lattice[size] = flow.evaluate(design(*size, "ecp5"), record=options.record)
+        if holds(largest, lattice[size]["total"]):
+            lattice[size] = flow.evaluate(design(*size, "ecp5"), options.seeds, options.record, options.jobs)
+    return [(*size, xilinx[size], lattice[size]) for size in SIZES]
 
 
 def smallest(results):

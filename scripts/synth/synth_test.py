@@ -71,16 +71,17 @@ class Sweep(unittest.TestCase):
 
 
 class Power(unittest.TestCase):
-    def test_coverage_is_summed_by_instance_of_the_core(self):
-        def point(name, instance, count):
-            fields = {"page": "v_toggle/m", "o": name, "h": instance}
+    def test_coverage_is_the_mean_by_module_of_the_core(self):
+        def point(name, instance, count, module="polar"):
+            fields = {"page": f"v_toggle/{module}", "o": name, "h": instance}
             return "C '" + "".join(f"\x01{key}\x02{value}" for key, value in fields.items()) + f"' {count}\n"
 
         with tempfile.TemporaryDirectory() as folder:
             file = pathlib.Path(folder) / "coverage.dat"
-            file.write_text(point("a[0]", power.CORE + "polar", 50) + point("b", power.CORE + "polar.ram", 10)
-                            + point("clk", power.CORE + "polar", 200) + point("c", "TOP.demonstration", 5))
-            self.assertEqual(power.read_coverage(file, 100), {"other": 0.05, "polar": 0.3})
+            file.write_text(point("a[0]", power.CORE + "polar", 50) + point("b", power.CORE + "polar.ram", 10, "ram_1r1w")
+                            + point("clk", power.CORE + "polar", 200) + point("c", "TOP.demonstration", 5, "demonstration")
+                            + point("d", power.CORE + "a_fifo", 10, "fifo__W21_D2") + point("d", power.CORE + "b_fifo", 30, "fifo"))
+            self.assertEqual(power.read_coverage(file, 100), {"fifo": 0.2, "other": 0.05, "polar": 0.3})
 
     def test_estimate_is_linear_in_the_activity(self):
         parts = [{"module": "polar", "lut": 1000, "ff": 500, "bram": 2, "dsp": 1}]

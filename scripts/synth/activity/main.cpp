@@ -37,6 +37,7 @@ int main() {
       counted = 0;
     }
   }
+  context.coveragep()->forcePerInstance(true);  // else the instances of a module are summed up
   context.coveragep()->write("coverage.dat");
   std::printf("%ld\n", counted);
   return 0;
