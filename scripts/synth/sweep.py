@@ -1,5 +1,6 @@
 """The accelerator at other maxima than VGA: its top is hls/accelerator.cpp with another configuration, compiled by floorline-hlsc."""
 
+import re
 import subprocess
 
 import yaml
@@ -8,14 +9,18 @@ import flow
 import report
 
 SIZES = ((320, 240), (640, 480), (1280, 720), (1920, 1080))
-LINES = 128
 COMPILER = flow.ROOT / "build/release/bin/floorline-hlsc"
 VGA = "floorline::VgaConfig"
 
 
-def margin(height):
-    """Rows of the frame ring beyond a frame's, in VGA's proportion of 32 to 480."""
-    return height // 15
+def configuration(width, height):
+    """The AcceleratorConfig of a size: VGA's lines, and rows of the frame ring beyond a frame's in VGA's proportion."""
+    text = (flow.ROOT / "hls/accelerator.h").read_text()
+    vga = re.search(r"typedef AcceleratorConfig<(\d+), (\d+), (\d+), (\d+)> VgaConfig;", text)
+    if vga is None:
+        flow.fail("hls/accelerator.h no longer defines VgaConfig as an AcceleratorConfig of four numbers; see scripts/synth/sweep.py.")
+    _, rows, margin, lines = map(int, vga.groups())
+    return f"floorline::AcceleratorConfig<{width}, {height}, {margin * height // rows}, {lines}>"
 
 
 def generate(width, height):
@@ -27,9 +32,8 @@ def generate(width, height):
     source = (flow.ROOT / "hls/accelerator.cpp").read_text()
     if VGA not in source:
         flow.fail(f"hls/accelerator.cpp no longer names {VGA}; scripts/synth/sweep.py puts another size in its place.")
-    config = f"floorline::AcceleratorConfig<{width}, {height}, {margin(height)}, {LINES}>"
     top = folder / "accelerator.cpp"
-    top.write_text(source.replace(VGA, config))
+    top.write_text(source.replace(VGA, configuration(width, height)))
     done = subprocess.run([COMPILER, "compile", top, "--top", "floorline_accelerator", "-I", flow.ROOT / "hls", "--std", "c++11",
                            "--target", "xc6v", "-o", folder / "rtl"], cwd=flow.ROOT, capture_output=True, text=True)
     if done.returncode:
