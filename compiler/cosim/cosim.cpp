@@ -70,8 +70,9 @@ class Simulation {
     write_files();
     build_model();
     build_program();
-    std::string command =
-        "HLSC_STALL=" + std::to_string(cosim_.stall) + " " + shell_word((dir_ / "simulation").string());
+    std::string command = "cd " + shell_word(cosim_.run_dir) +
+                          " && HLSC_STALL=" + std::to_string(cosim_.stall) + " " +
+                          shell_word((dir_ / "simulation").string());
     return exit_code(std::system(command.c_str()));
   }
 
@@ -112,7 +113,9 @@ class Simulation {
     for (const char* name : {"verilated.cpp", "verilated_threads.cpp"})
       compile_source(root + "/include/" + name, runtime_flags);
     if (!cosim_.trace.empty()) compile_source(root + "/include/verilated_vcd_c.cpp", runtime_flags);
-    compile_source(cosim_.test_bench, flags);
+    std::string bench_flags = flags;
+    for (const std::string& flag : cosim_.flags) bench_flags += " " + shell_word(flag);
+    for (const std::string& bench : cosim_.test_benches) compile_source(bench, bench_flags);
     compile_source((dir_ / "adapter.cpp").string(), flags);
     for (const auto& entry : fs::directory_iterator(dir_ / "model"))
       if (entry.path().extension() == ".cpp") compile_source(entry.path().string(), flags);

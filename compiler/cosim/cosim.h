@@ -3,13 +3,16 @@
 #define HLSC_COSIM_COSIM_H
 
 #include <string>
+#include <vector>
 
 #include "tool/compile.h"
 
 namespace hlsc {
 
 struct CosimOptions {
-  std::string test_bench;  ///< C++ file with main().
+  std::vector<std::string> test_benches;  ///< C++ or C files, one with main().
+  std::vector<std::string> flags;         ///< Of the test benches' compiler.
+  std::string run_dir = ".";              ///< Where the test bench runs and finds its data.
   std::string work_dir;  ///< For generated and compiled files; empty: a temporary directory that is removed.
   unsigned long stall = 0;  ///< Seed of random stalls on all streams; 0: none.
   std::string trace;        ///< VCD file; empty: none.

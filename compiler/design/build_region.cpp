@@ -105,7 +105,9 @@ RegionChannel ProcessBuilder::new_channel(CallInst& call, Value* array) {
 int ProcessBuilder::region_stream(CallInst& call, const Stream& port) {
   APInt offset(64, 0);
   Value* base =
-      call.getArgOperand(port.llvm_argument)->stripAndAccumulateConstantOffsets(layout_, offset, true);
+      port.global.empty()
+          ? call.getArgOperand(port.llvm_argument)->stripAndAccumulateConstantOffsets(layout_, offset, true)
+          : function_.getParent()->getNamedValue(port.global);
   offset += port.byte_offset;
   auto [known, is_new] =
       region_streams_.emplace(std::make_pair(base, offset.getZExtValue()), region_->streams.size());

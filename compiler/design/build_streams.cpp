@@ -92,6 +92,7 @@ void ProcessBuilder::find_streams(Value* pointer, ValueId condition, CallInst& c
     if (!gep->collectOffset(layout_, 64, terms, constant)) break;
     base = gep->getPointerOperand();
   }
+  if (isa<GlobalVariable>(base) && terms.empty()) add_global_stream(base, constant.getZExtValue());
   size_t known = places.size();
   for (auto& [key, stream] : streams_) {
     if (key.first != base) continue;
@@ -112,6 +113,17 @@ void ProcessBuilder::find_streams(Value* pointer, ValueId condition, CallInst& c
                "' stays inside one process; put #pragma HLS DATAFLOW into the function that declares it "
                "and its writer and reader into functions of their own, or use an array");
   refuse(call, "cannot tell which stream is meant here; pass streams by reference and use subscripts");
+}
+
+void ProcessBuilder::add_global_stream(Value* base, uint64_t offset) {
+  bool is_alone = middle_.processes.size() == 1;  // Nobody is at its other end.
+  if (is_alone || streams_.count({base, offset})) return;
+  streams_[{base, offset}] = process_.streams.size();
+  Stream stream;
+  stream.name = names_.unique(object_name(base), "stream");
+  stream.byte_offset = offset;
+  stream.global = base->getName().str();
+  process_.streams.push_back(stream);
 }
 
 ValueId ProcessBuilder::subscripts_lead_to(const MapVector<Value*, APInt>& terms, const APInt& rest,

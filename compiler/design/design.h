@@ -117,6 +117,7 @@ struct Stream {
   bool is_input = false;   ///< Read by this process.
   int argument = -1;       ///< Index of the parameter.
   int llvm_argument = -1;  ///< Index of the parameter in LLVM IR, where one C++ parameter may be several.
+  std::string global;      ///< Name in LLVM IR of a stream that is no parameter.
 };
 
 /// A scalar port: an input, or an output set by kOutput (with a valid pulse).

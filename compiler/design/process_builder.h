@@ -188,6 +188,8 @@ class ProcessBuilder {
   std::vector<StreamPlace> stream_places(llvm::CallInst& call, bool is_input, unsigned width);
   void find_streams(llvm::Value* pointer, ValueId condition, llvm::CallInst& call,
                     std::vector<StreamPlace>& places);
+  /// A global stream between two processes is a port of both.
+  void add_global_stream(llvm::Value* base, uint64_t offset);
   /// Whether the scaled subscripts add up to `rest` bytes; kNoValue when they never do.
   ValueId subscripts_lead_to(const llvm::MapVector<llvm::Value*, llvm::APInt>& terms, const llvm::APInt& rest,
                              llvm::CallInst& call);

@@ -15,6 +15,7 @@
 #include <llvm/Support/Path.h>
 
 #include "frontend/constant_calls.h"
+#include "frontend/directive_insertion.h"
 #include "frontend/language_checks.h"
 #include "frontend/pragma_handler.h"
 
@@ -231,8 +232,37 @@ std::vector<std::string> clang_arguments(const FrontendOptions& options, const s
   return arguments;
 }
 
-void parse_file(Program& program, const FrontendOptions& options, const std::string& file,
-                std::vector<std::string>& tops) {
+/// Parses without generating code, to find where directives go.
+class PlacementAction : public clang::ASTFrontendAction {
+ public:
+  PlacementAction(const std::vector<PlacedDirective>& directives, std::set<size_t>& found)
+      : directives_(directives), found_(found) {}
+  Insertions insertions;
+
+ protected:
+  bool BeginSourceFileAction(clang::CompilerInstance& compiler) override {
+    add_pragma_handler(compiler.getPreprocessor());
+    return true;
+  }
+  std::unique_ptr<clang::ASTConsumer> CreateASTConsumer(clang::CompilerInstance&, llvm::StringRef) override {
+    return std::make_unique<Consumer>(*this);
+  }
+
+ private:
+  struct Consumer : clang::ASTConsumer {
+    explicit Consumer(PlacementAction& owner) : action(owner) {}
+    void HandleTranslationUnit(clang::ASTContext& context) override {
+      action.insertions = find_insertions(context, action.directives_, action.found_);
+    }
+    PlacementAction& action;
+  };
+  const std::vector<PlacedDirective>& directives_;
+  std::set<size_t>& found_;
+};
+
+/// Runs `action` on one file, with `insertions` made. Throws CompileError with Clang's messages.
+void run_clang(const FrontendOptions& options, const std::string& file, const Insertions& insertions,
+               clang::FrontendAction& action) {
   std::vector<std::string> arguments = clang_arguments(options, file);
   std::vector<const char*> pointers;
   for (const std::string& argument : arguments) pointers.push_back(argument.c_str());
@@ -248,24 +278,54 @@ void parse_file(Program& program, const FrontendOptions& options, const std::str
   std::shared_ptr<clang::CompilerInvocation> invocation =
       clang::createInvocation(pointers, invocation_options);
   if (!invocation) throw CompileError(messages.empty() ? "cannot start Clang for " + file : messages);
-  invocation->getPreprocessorOpts().addRemappedFile(
-      "/hlsc_prelude.h", llvm::MemoryBuffer::getMemBufferCopy(kPragmaPrelude).release());
-  invocation->getPreprocessorOpts().Includes.push_back("/hlsc_prelude.h");
+  clang::PreprocessorOptions& preprocessor = invocation->getPreprocessorOpts();
+  preprocessor.addRemappedFile("/hlsc_prelude.h",
+                               llvm::MemoryBuffer::getMemBufferCopy(kPragmaPrelude).release());
+  preprocessor.Includes.push_back("/hlsc_prelude.h");
+  for (const auto& [name, texts] : insertions) {
+    auto source = llvm::MemoryBuffer::getFile(name);
+    if (!source) throw CompileError("cannot read " + name + "; check its name");
+    preprocessor.addRemappedFile(
+        name, llvm::MemoryBuffer::getMemBufferCopy(inserted((*source)->getBuffer().str(), texts)).release());
+  }
   invocation->getCodeGenOpts().DisableLLVMPasses = true;
   invocation->getFrontendOpts().DisableFree = false;
 
   clang::CompilerInstance compiler;
   compiler.setInvocation(invocation);
   compiler.setDiagnostics(diagnostics.get());
-  ParseAction action(program, options, tops);
   bool done = compiler.ExecuteAction(action);
   if (!done || diagnostics->hasErrorOccurred())
     throw CompileError(messages.empty() ? "cannot compile " + file : messages);
+}
+
+void parse_file(Program& program, const FrontendOptions& options, const std::string& file,
+                std::set<size_t>& found, std::vector<std::string>& tops) {
+  Insertions insertions;
+  if (!options.directives.empty()) {
+    PlacementAction placement(options.directives, found);
+    run_clang(options, file, {}, placement);
+    insertions = placement.insertions;
+  }
+  ParseAction action(program, options, tops);
+  run_clang(options, file, insertions, action);
   std::unique_ptr<llvm::Module> module = action.takeModule();
   if (!program.module)
     program.module = std::move(module);
   else if (llvm::Linker::linkModules(*program.module, std::move(module)))
     throw CompileError("cannot link " + file + ": give every function one definition");
+}
+
+void check_found(const std::vector<PlacedDirective>& directives, const std::set<size_t>& found) {
+  for (size_t i = 0; i < directives.size(); ++i) {
+    if (found.count(i)) continue;
+    const PlacedDirective& lost = directives[i];
+    throw CompileError(
+        lost.location,
+        "the sources have no " + (lost.label.empty() ? "function" : "loop '" + lost.label + "' in") + " '" +
+            lost.function + "'" + (lost.variable.empty() ? "" : " with a variable '" + lost.variable + "'") +
+            "; correct the directive");
+  }
 }
 
 }  // namespace
@@ -274,7 +334,9 @@ Program parse_program(const FrontendOptions& options) {
   Program program;
   program.context = std::make_unique<llvm::LLVMContext>();
   std::vector<std::string> tops;
-  for (const std::string& file : options.files) parse_file(program, options, file, tops);
+  std::set<size_t> found;
+  for (const std::string& file : options.files) parse_file(program, options, file, found, tops);
+  check_found(options.directives, found);
   std::sort(tops.begin(), tops.end());
   tops.erase(std::unique(tops.begin(), tops.end()), tops.end());
   if (tops.empty())

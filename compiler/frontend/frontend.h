@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "frontend/diagnostic.h"
+#include "frontend/placed_directive.h"
 #include "frontend/type_layout.h"
 
 namespace llvm {
@@ -21,8 +22,9 @@ struct FrontendOptions {
   std::vector<std::string> files;
   std::vector<std::string> include_dirs;
   std::vector<std::string> defines;
-  std::string standard;  ///< As -std=; empty: c++17 for C++, c17 for C.
-  std::string top;       ///< Name of the top function, as written or qualified.
+  std::string standard;                     ///< As -std=; empty: c++17 for C++, c17 for C.
+  std::string top;                          ///< Name of the top function, as written or qualified.
+  std::vector<PlacedDirective> directives;  ///< From project files; those of the sources stand there.
 };
 
 /// A stream that a parameter is or holds.

@@ -42,6 +42,15 @@ bool is_irregular(Type* type) {
   });
 }
 
+/// Handles of streams have places, but no contents.
+bool holds_streams(Type* type) {
+  while (auto* array = dyn_cast<ArrayType>(type)) type = array->getElementType();
+  auto* structure = dyn_cast<StructType>(type);
+  if (!structure) return false;
+  if (structure->hasName() && structure->getName().starts_with("class.hls::stream")) return true;
+  return structure->getNumElements() && all_of(structure->elements(), holds_streams);
+}
+
 Type* object_type(Value* object) {
   if (auto* alloca = dyn_cast<AllocaInst>(object)) return alloca->getAllocatedType();
   if (auto* global = dyn_cast<GlobalVariable>(object)) return global->getValueType();
@@ -185,6 +194,7 @@ class SubscriptSeparator {
 };
 
 bool wants_separation(Value* object, Type* type, const DirectiveTable& directives) {
+  if (holds_streams(type)) return false;
   return is_irregular(type) || !directives.of(object, "ARRAY_PARTITION").empty();
 }
 

@@ -14,27 +14,17 @@ using namespace llvm;
 constexpr const char* kLoopTag = "hls.directive";
 
 /// Directives on a loop or a function; the others need a variable or a port.
-const std::set<std::string> kRegionKinds = {
-    "PIPELINE", "UNROLL",  "DATAFLOW",   "LOOP_TRIPCOUNT", "LOOP_FLATTEN",       "DEPENDENCE",
-    "INLINE",   "LATENCY", "LOOP_MERGE", "ALLOCATION",     "EXPRESSION_BALANCE", "PROTOCOL"};
-const std::set<std::string> kObjectKinds = {
-    "ARRAY_PARTITION", "ARRAY_RESHAPE", "BIND_STORAGE", "RESOURCE",  "STREAM",    "DEPENDENCE",
-    "AGGREGATE",       "DISAGGREGATE",  "BIND_OP",      "DATA_PACK", "ARRAY_MAP", "FUNCTION_INSTANTIATE",
-    "STABLE",          "RESET",         "SHARED"};
+const std::set<std::string> kRegionKinds = {"PIPELINE",       "UNROLL",     "DATAFLOW",
+                                            "LOOP_TRIPCOUNT", "DEPENDENCE", "INLINE"};
+const std::set<std::string> kObjectKinds = {"ARRAY_PARTITION", "BIND_STORAGE", "RESOURCE",
+                                            "STREAM",          "DEPENDENCE",   "AGGREGATE",
+                                            "DISAGGREGATE",    "DATA_PACK",    "STABLE"};
 
 /// Accepted, because they change neither results nor handshakes, but without effect.
-const std::set<std::string> kIgnoredKinds = {"ALLOCATION",
-                                             "ARRAY_MAP",
-                                             "EXPRESSION_BALANCE",
-                                             "FUNCTION_INSTANTIATE",
-                                             "LATENCY",
-                                             "LOOP_MERGE",
-                                             "OCCURRENCE",
-                                             "PROTOCOL",
-                                             "RESET",
-                                             "SHARED",
-                                             "TOP",
-                                             "PERFORMANCE"};
+const std::set<std::string> kIgnoredKinds = {
+    "ALLOCATION",           "ARRAY_MAP", "ARRAY_RESHAPE", "BIND_OP",    "EXPRESSION_BALANCE",
+    "FUNCTION_INSTANTIATE", "LATENCY",   "LOOP_FLATTEN",  "LOOP_MERGE", "OCCURRENCE",
+    "PERFORMANCE",          "PROTOCOL",  "RESET",         "SHARED",     "TOP"};
 
 struct Marker {
   CallInst* call;
@@ -216,7 +206,10 @@ void resolve_loop_directives(Module& module, DirectiveTable& table, Diagnostics&
         continue;
       }
       if (kIgnoredKinds.count(kind)) {
-        diagnostics.warn(where, "pragma '" + kind + "' has no effect here; results are the same without it");
+        bool asks_nothing = kind == "LOOP_FLATTEN" && marker.directive.has("off");
+        if (!asks_nothing)
+          diagnostics.warn(where,
+                           "pragma '" + kind + "' has no effect here; results are the same without it");
         marker.call->eraseFromParent();
         continue;
       }
@@ -224,9 +217,15 @@ void resolve_loop_directives(Module& module, DirectiveTable& table, Diagnostics&
         if (kObjectKinds.count(kind)) continue;
         diagnostics.warn(where, "pragma '" + kind + "' is not known and has no effect");
       } else if (kRegionKinds.count(kind)) {
-        if (Loop* loop = loops.getLoopFor(marker.call->getParent()))
+        Loop* loop = loops.getLoopFor(marker.call->getParent());
+        if (loop && kind == "DATAFLOW")
+          throw CompileError(
+              where,
+              "DATAFLOW acts in a function; put the loop into each process and DATAFLOW into the "
+              "function that calls them");
+        if (loop)
           attach_to_loop(*loop, marker.directive);
-        else if (kind == "UNROLL" || kind == "LOOP_TRIPCOUNT" || kind == "LOOP_FLATTEN")
+        else if (kind == "UNROLL" || kind == "LOOP_TRIPCOUNT")
           diagnostics.warn(where, "pragma '" + kind +
                                       "' stands in no loop and has no effect; move it into the body of one");
         else

@@ -1,6 +1,3 @@
-// DATAFLOW in the body of a loop.
-// top: dataflow_in_loop
-// tokens: 32
 #include "hls_stream.h"
 static void square(hls::stream<int>& in, hls::stream<int>& out) {
   for (int i = 0; i < 8; ++i) {
@@ -19,3 +16,4 @@ void dataflow_in_loop(hls::stream<int>& in, hls::stream<int>& out) {
     offset(middle, out, round);
   }
 }
+// error: 13:9: DATAFLOW acts in a function; put the loop into each process and DATAFLOW into the function that calls them
