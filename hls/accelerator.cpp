@@ -7,10 +7,10 @@ void floorline_accelerator(hls::stream<floorline::RgbPixel>& pixels,
                            const floorline::FrameParameters& parameters,
                            const floorline::LineSetup lines[floorline::VgaConfig::MAX_LINES]) {
 #pragma HLS INTERFACE axis port = pixels
-#pragma HLS INTERFACE axis port = points
-#pragma HLS INTERFACE axis port = obstacles
+#pragma HLS INTERFACE axis register_mode = forward port = points
+#pragma HLS INTERFACE axis register_mode = forward port = obstacles
 #pragma HLS INTERFACE axis port = counts
-#pragma HLS INTERFACE axis port = null_pixels
+#pragma HLS INTERFACE axis register_mode = forward port = null_pixels
 #pragma HLS INTERFACE ap_none port = parameters
 #pragma HLS INTERFACE ap_memory port = lines
 #pragma HLS INTERFACE ap_ctrl_hs port = return
@@ -27,10 +27,10 @@ void floorline_accelerator_wide(hls::stream<floorline::RgbPixel>& pixels,
                                 const floorline::FrameParameters& parameters,
                                 const floorline::LineSetup lines[floorline::WideConfig::MAX_LINES]) {
 #pragma HLS INTERFACE axis port = pixels
-#pragma HLS INTERFACE axis port = points
-#pragma HLS INTERFACE axis port = obstacles
+#pragma HLS INTERFACE axis register_mode = forward port = points
+#pragma HLS INTERFACE axis register_mode = forward port = obstacles
 #pragma HLS INTERFACE axis port = counts
-#pragma HLS INTERFACE axis port = null_pixels
+#pragma HLS INTERFACE axis register_mode = forward port = null_pixels
 #pragma HLS INTERFACE ap_none port = parameters
 #pragma HLS INTERFACE ap_memory port = lines
 #pragma HLS INTERFACE ap_ctrl_hs port = return

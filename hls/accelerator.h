@@ -80,7 +80,7 @@ void accelerator(hls::stream<RgbPixel>& pixels, hls::stream<FloorPoint>& points,
   hls::stream<Contact> contacts("contacts");
 #pragma HLS STREAM variable = contacts depth = 64
   hls::stream<FloorPoint> floor_points("floor_points");
-#pragma HLS STREAM variable = floor_points depth = 2
+#pragma HLS STREAM variable = floor_points depth = 1
   // Points of the next frame's first rows, while cluster scans the lines of the frame before.
   hls::stream<FloorPoint> candidates("candidates");
 #pragma HLS STREAM variable = candidates depth = 16

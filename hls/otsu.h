@@ -282,6 +282,7 @@ PIXELS:
   // Two steps a level, so that one logarithm does: first d, then q (N - q).
   const int WINDOW = 2 * (2 + 1) * LOGARITHM_ERROR;
   Contender<W> contenders[256];
+#pragma HLS AGGREGATE variable = contenders
   ap_uint<9> contender_count = 0;
   Count count = 0;
   Count below = 0;

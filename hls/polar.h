@@ -223,6 +223,7 @@ void polar(hls::stream<Mask>& mask, hls::stream<ap_uint<1> >& moves, hls::stream
 #pragma HLS AGGREGATE variable = left_columns
 #pragma HLS AGGREGATE variable = right_columns
 #pragma HLS AGGREGATE variable = states
+#pragma HLS AGGREGATE variable = lines
 
   const Size free_columns = width < LINE_SLACK ? Size(0) : Size(width - LINE_SLACK);
   const ap_uint<9> walked = line_count < free_columns ? line_count : ap_uint<9>(free_columns);

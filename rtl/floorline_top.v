@@ -314,9 +314,9 @@ module floorline_top #(
     wire                  counts_tvalid, counts_tready;
     wire [23:0]           null_pixels_tdata;
     wire                  null_pixels_tvalid;
-    wire [11*LOG2_LINES-1:0] lines_address;  // of each field of a line
-    wire [10:0]              lines_enable;
-    wire [110:0]             lines_data;
+    wire [LOG2_LINES-1:0] lines_address;
+    wire                  lines_enable;
+    wire [110:0]          lines_data;
     wire                  unused_done, unused_idle;
     wire [31:0]           valid_map = {32{!reference_lost_reg}};  // Z = 0: no pixel of the reference is valid
 
@@ -342,39 +342,9 @@ module floorline_top #(
         .null_pixels_TDATA                       (null_pixels_tdata),
         .null_pixels_TVALID                      (null_pixels_tvalid),
         .null_pixels_TREADY                      (1'b1),
-        .lines_first_column_V_address0           (lines_address[0*LOG2_LINES +: LOG2_LINES]),
-        .lines_first_column_V_ce0                (lines_enable[0]),
-        .lines_first_column_V_q0                 (lines_data[12:0]),
-        .lines_first_row_V_address0              (lines_address[1*LOG2_LINES +: LOG2_LINES]),
-        .lines_first_row_V_ce0                   (lines_enable[1]),
-        .lines_first_row_V_q0                    (lines_data[24:13]),
-        .lines_last_row_V_address0               (lines_address[2*LOG2_LINES +: LOG2_LINES]),
-        .lines_last_row_V_ce0                    (lines_enable[2]),
-        .lines_last_row_V_q0                     (lines_data[36:25]),
-        .lines_first_run_V_address0              (lines_address[3*LOG2_LINES +: LOG2_LINES]),
-        .lines_first_run_V_ce0                   (lines_enable[3]),
-        .lines_first_run_V_q0                    (lines_data[48:37]),
-        .lines_last_run_V_address0               (lines_address[4*LOG2_LINES +: LOG2_LINES]),
-        .lines_last_run_V_ce0                    (lines_enable[4]),
-        .lines_last_run_V_q0                     (lines_data[60:49]),
-        .lines_slice_V_address0                  (lines_address[5*LOG2_LINES +: LOG2_LINES]),
-        .lines_slice_V_ce0                       (lines_enable[5]),
-        .lines_slice_V_q0                        (lines_data[72:61]),
-        .lines_remainder_V_address0              (lines_address[6*LOG2_LINES +: LOG2_LINES]),
-        .lines_remainder_V_ce0                   (lines_enable[6]),
-        .lines_remainder_V_q0                    (lines_data[84:73]),
-        .lines_divisor_V_address0                (lines_address[7*LOG2_LINES +: LOG2_LINES]),
-        .lines_divisor_V_ce0                     (lines_enable[7]),
-        .lines_divisor_V_q0                      (lines_data[96:85]),
-        .lines_first_error_V_address0            (lines_address[8*LOG2_LINES +: LOG2_LINES]),
-        .lines_first_error_V_ce0                 (lines_enable[8]),
-        .lines_first_error_V_q0                  (lines_data[108:97]),
-        .lines_leftward_V_address0               (lines_address[9*LOG2_LINES +: LOG2_LINES]),
-        .lines_leftward_V_ce0                    (lines_enable[9]),
-        .lines_leftward_V_q0                     (lines_data[109]),
-        .lines_contact_first_V_address0          (lines_address[10*LOG2_LINES +: LOG2_LINES]),
-        .lines_contact_first_V_ce0               (lines_enable[10]),
-        .lines_contact_first_V_q0                (lines_data[110]),
+        .lines_address0                          (lines_address),
+        .lines_ce0                               (lines_enable),
+        .lines_q0                                (lines_data),
         .parameters_width_V                      (width),
         .parameters_height_V                     (height),
         .parameters_grey_V                       (grey),

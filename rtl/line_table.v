@@ -1,7 +1,7 @@
 // Line table: LineSetup of each line for the polar engine, in two banks, so that the host can write a new set while the core reads.
 //
-// The host writes 32-bit words, four to a line; a line enters the table with its last word. The core reads each field through a port
-// of its own, since its pipeline wants them in different cycles; a field is there one cycle after its enable.
+// The host writes 32-bit words, four to a line; a line enters the table with its last word. The core has a line one cycle after
+// its enable.
 
 `default_nettype none
 
@@ -16,18 +16,10 @@ module line_table #(
     input  wire [9:0]               write_address,  // line << 2 | word
     input  wire [31:0]              write_data,
 
-    // Field f (in the order of LineSetup) has bit f, bits LOG2_LINES * f and up, and its own bits of the packed struct.
-    input  wire [10:0]              read_enable,
-    input  wire [11*LOG2_LINES-1:0] read_line,
-    output wire [110:0]             read_data
+    input  wire                     read_enable,
+    input  wire [LOG2_LINES-1:0]    read_line,
+    output wire [110:0]             read_data       // LineSetup, first member in the lowest bits
 );
-
-    localparam FIELDS = 11;
-
-    function integer field_low;  // first bit of a field: 13 bits of first_column, eight of 12 bits, two of one
-        input integer field;
-        field_low = (field == 0) ? 0 : (field <= 9) ? 13 + 12 * (field - 1) : 110;
-    endfunction
 
     // The words before the last one wait here.
     reg  [95:0]           words_reg;
@@ -46,27 +38,19 @@ module line_table #(
             words_reg[95:64] <= write_data;
     end
 
-    genvar field;
-    generate
-        for (field = 0; field < FIELDS; field = field + 1) begin : fields
-            localparam LOW   = field_low(field);
-            localparam WIDTH = (field == FIELDS - 1) ? 1 : field_low(field + 1) - LOW;
-
-            ram_1r1w #(
-                .WIDTH        (WIDTH),
-                .DEPTH        (2 << LOG2_LINES),
-                .ADDRESS_WIDTH(LOG2_LINES + 1)
-            ) ram (
-                .clk          (clk),
-                .write_enable (complete),
-                .write_address({!read_bank, write_line}),
-                .write_data   (line[LOW +: WIDTH]),
-                .read_enable  (read_enable[field]),
-                .read_address ({read_bank, read_line[field*LOG2_LINES +: LOG2_LINES]}),
-                .read_data    (read_data[LOW +: WIDTH])
-            );
-        end
-    endgenerate
+    ram_1r1w #(
+        .WIDTH        (111),
+        .DEPTH        (2 << LOG2_LINES),
+        .ADDRESS_WIDTH(LOG2_LINES + 1)
+    ) ram (
+        .clk          (clk),
+        .write_enable (complete),
+        .write_address({!read_bank, write_line}),
+        .write_data   (line),
+        .read_enable  (read_enable),
+        .read_address ({read_bank, read_line}),
+        .read_data    (read_data)
+    );
 
 endmodule
 

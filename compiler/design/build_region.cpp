@@ -135,7 +135,7 @@ RegionStream ProcessBuilder::new_region_stream(Value* base, uint64_t offset, uns
   std::string name = object_name(base);
   stream.name = names_.unique(offset ? name + "_" + std::to_string(offset) : name, "stream");
   for (const ObjectDirective& entry : middle_.directives.of(base, "STREAM"))
-    stream.depth = std::max<int>(2, entry.directive.integer("depth", 2));
+    stream.depth = std::max<int>(1, entry.directive.integer("depth", 2));
   return stream;
 }
 

@@ -109,14 +109,22 @@ void attach_to_function(Function& function, LoopInfo& loops, const Directive& di
     if (!loop_directive(*loop, "UNROLL")) attach_to_loop(*loop, parse_directive("UNROLL implied"));
 }
 
-/// The pointer behind references that are kept in memory.
+/// What is stored in a local variable that holds a pointer; null for another object.
+Value* stored_pointer(Value* object) {
+  auto* alloca = dyn_cast<AllocaInst>(object);
+  if (!alloca || !alloca->getAllocatedType()->isPointerTy()) return nullptr;
+  for (User* user : alloca->users())
+    if (auto* store = dyn_cast<StoreInst>(user); store && store->getPointerOperand() == alloca)
+      return store->getValueOperand();
+  return nullptr;
+}
+
+/// The pointer behind references and array parameters, which are kept in memory.
 Value* without_references(Value* pointer) {
-  if (auto* load = dyn_cast<LoadInst>(getUnderlyingObject(pointer, 0)))
-    for (User* user : load->getPointerOperand()->users())
-      if (auto* store = dyn_cast<StoreInst>(user);
-          store && store->getPointerOperand() == load->getPointerOperand())
-        return without_references(store->getValueOperand());
-  return pointer;
+  Value* object = getUnderlyingObject(pointer, 0);
+  if (auto* load = dyn_cast<LoadInst>(object)) object = load->getPointerOperand();
+  Value* stored = stored_pointer(object);
+  return stored ? without_references(stored) : pointer;
 }
 
 /// The type of what a pragma names; null when only the caller of the top knows it.

@@ -62,9 +62,9 @@ void ProcessEmitter::emit_ram(const Memory& memory, const std::vector<ValueId>& 
     return;
   }
   std::string array = names_.unique(name + "_words"), q = names_.unique(name + "_read");
-  bodies_ << "\n    reg" << range_text(memory.width) << " " << array << " [0:" << memory.depth - 1
-          << "];\n    reg" << range_text(memory.width) << " " << q << ";\n    assign " << name << "_q = " << q
-          << ";\n";
+  bodies_ << (memory.kind == MemoryKind::kRom ? "\n    (* ram_style = \"block\" *)" : "") << "\n    reg"
+          << range_text(memory.width) << " " << array << " [0:" << memory.depth - 1 << "];\n    reg"
+          << range_text(memory.width) << " " << q << ";\n    assign " << name << "_q = " << q << ";\n";
   emit_initial_words(memory, array);
   bodies_ << "    always @(posedge clk) begin\n";
   if (!write.enable.empty())

@@ -197,9 +197,15 @@ class TopWriter {
     } else {
       body_ << "    wire" << range_text(stream.width) << " " << name << "_din;\n    wire " << name
             << "_full_n, " << name << "_write;\n";
-      fifo(name + "_register", stream.width, 2, {name + "_din", name + "_write", name + "_full_n"},
-           {inner, stream.valid, stream.ready});
+      fifo(name + "_register", stream.width, port_depth(top_.parameters[stream.argument].name),
+           {name + "_din", name + "_write", name + "_full_n"}, {inner, stream.valid, stream.ready});
     }
+  }
+
+  /// register_mode=forward: TDATA and TVALID come from registers, TREADY goes straight through.
+  int port_depth(const std::string& parameter) const {
+    auto found = modes_.by_port.find(parameter);
+    return found != modes_.by_port.end() && found->second.text("register_mode") == "forward" ? 1 : 2;
   }
 
   struct Handshake {
@@ -214,12 +220,18 @@ class TopWriter {
           << "),\n        .m_ready(" << out.ready << ")\n    );\n";
   }
 
+  /// A single register hands the reader's readiness on to the writer; that must not run in a circle.
+  static int depth_of(const RegionStream& stream) {
+    return stream.writer < stream.reader ? stream.depth : std::max(2, stream.depth);
+  }
+
   void add_fifo(const RegionStream& stream) {
     const std::string& name = stream.name;
-    body_ << "\n    // " << name << ": " << stream.depth << " x " << stream.width << "\n    wire"
+    int depth = depth_of(stream);
+    body_ << "\n    // " << name << ": " << depth << " x " << stream.width << "\n    wire"
           << range_text(stream.width) << " " << name << "_din, " << name << "_dout;\n    wire " << name
           << "_full_n, " << name << "_write, " << name << "_empty_n, " << name << "_read;\n";
-    fifo(name + "_fifo", stream.width, stream.depth, {name + "_din", name + "_write", name + "_full_n"},
+    fifo(name + "_fifo", stream.width, depth, {name + "_din", name + "_write", name + "_full_n"},
          {name + "_dout", name + "_empty_n", name + "_read"});
   }
 

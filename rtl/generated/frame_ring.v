@@ -486,6 +486,7 @@ module frame_ring (
     assign for_3_front_ce = for_3_ce & ~((for_3_active[0] & ~in_empty_n));
 
 
+    (* ram_style = "block" *)
     reg [30:0] word_words [0:127];
     reg [30:0] word_read;
     assign word_q = word_read;

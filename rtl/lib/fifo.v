@@ -1,8 +1,8 @@
 // FIFO with a valid/ready stream on both sides; the oldest word waits on m_data (first-word fall-through).
 //
-// Holds DEPTH words. A word taken on s_ is offered on m_ two cycles later (one cycle when DEPTH is 2); one word a cycle passes
-// without a gap. s_ready, m_valid and m_data come straight from registers.
-// DEPTH = 2 is a skid buffer. Otherwise DEPTH - 1 words lie in a RAM (LUT RAM when small, block RAM when large) and one in its
+// Holds DEPTH words. A word taken on s_ is offered on m_ two cycles later (one cycle when DEPTH is 1 or 2); one word a cycle passes
+// without a gap. s_ready, m_valid and m_data come straight from registers, but s_ready of DEPTH = 1 follows m_ready.
+// DEPTH = 1 is a register, DEPTH = 2 a skid buffer. Otherwise DEPTH - 1 words lie in a RAM (LUT RAM when small, block RAM when large) and one in its
 // read register; DEPTH = 2^n + 1 fills that RAM, DEPTH = 3 is the least that costs a RAM.
 // Reset is synchronous and clears addresses and handshake only.
 
@@ -10,7 +10,7 @@
 
 module fifo #(
     parameter WIDTH = 8,  // bits of a word, 1 or more
-    parameter DEPTH = 17  // words, 2 or more
+    parameter DEPTH = 17  // words, 1 or more
 ) (
     input  wire             clk,
     input  wire             rst,
@@ -35,8 +35,24 @@ module fifo #(
     endfunction
 
     generate
-        if (WIDTH < 1 || DEPTH < 2) begin : illegal
-            fifo_needs_WIDTH_of_1_or_more_and_DEPTH_of_2_or_more stop ();
+        if (WIDTH < 1 || DEPTH < 1) begin : illegal
+            fifo_needs_WIDTH_and_DEPTH_of_1_or_more stop ();
+        end else if (DEPTH == 1) begin : register
+            reg [WIDTH-1:0] word_reg;
+            reg             valid_reg;
+
+            assign s_ready = m_ready || !valid_reg;
+            assign m_valid = valid_reg;
+            assign m_data  = word_reg;
+
+            always @(posedge clk) begin
+                if (s_ready) begin
+                    word_reg  <= s_data;
+                    valid_reg <= s_valid;
+                end
+                if (rst)
+                    valid_reg <= 1'b0;
+            end
         end else if (DEPTH == 2) begin : registers
             skid_buffer #(
                 .WIDTH(WIDTH)

@@ -20,7 +20,7 @@ module fifo_proof #(
         .clk(clk), .rst(rst), .s_data(s_data), .s_valid(s_valid), .s_ready(s_ready), .m_data(m_data), .m_valid(m_valid), .m_ready(m_ready)
     );
 
-    stream_buffer_properties #(.WIDTH(2), .DEPTH(DEPTH), .LATENCY(DEPTH == 2 ? 1 : 2)) properties (
+    stream_buffer_properties #(.WIDTH(2), .DEPTH(DEPTH), .LATENCY(DEPTH <= 2 ? 1 : 2)) properties (
         .clk(clk), .rst(rst), .s_data(s_data), .s_valid(s_valid), .s_ready(s_ready), .m_data(m_data), .m_valid(m_valid), .m_ready(m_ready),
         .mark(mark)
     );
