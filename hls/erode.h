@@ -30,16 +30,7 @@ struct ErosionFilter {
 /// in: width * height masks. out: as many; without `erode_high` the same ones, without delay.
 template <int MAX_WIDTH, int MAX_HEIGHT>
 void erode(hls::stream<Mask>& in, hls::stream<Mask>& out, Size width, Size height, ap_uint<1> erode_high) {
-  if (erode_high) {
-    filter_3x3<ErosionFilter, MAX_WIDTH, MAX_HEIGHT>(in, out, width, height);
-    return;
-  }
-PASS:
-  for (RasterPosition at(width); at.v < height; at.advance()) {
-#pragma HLS PIPELINE II = 1
-#pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT
-    out.write(in.read());
-  }
+  filter_3x3<ErosionFilter, MAX_WIDTH, MAX_HEIGHT>(in, out, width, height, !erode_high);
 }
 
 }  // namespace floorline

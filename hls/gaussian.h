@@ -36,7 +36,7 @@ struct GaussianFilter {
 /// in: width * height pixels. out: as many, blurred.
 template <int MAX_WIDTH, int MAX_HEIGHT>
 void gaussian(hls::stream<Pixel>& in, hls::stream<Pixel>& out, Size width, Size height) {
-  filter_3x3<GaussianFilter, MAX_WIDTH, MAX_HEIGHT>(in, out, width, height);
+  filter_3x3<GaussianFilter, MAX_WIDTH, MAX_HEIGHT>(in, out, width, height, false);
 }
 
 }  // namespace floorline

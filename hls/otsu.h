@@ -39,7 +39,7 @@ template <typename Widths>
 struct Contender {
   Pixel level;
   typename Widths::Deviation deviation;
-  typename Widths::Product product;
+  typename Widths::Count below;  ///< q; N - q follows.
 };
 
 /// Word of chord i of log2(1 + x), x from i / 64 to (i + 1) / 64: base (17 bits, Q0.17) in bits 28:12, slope
@@ -81,13 +81,13 @@ typedef ap_uint<25> Logarithm;  ///< Q6.19.
 /// Greatest error of logarithm(), in units of 2^-19.
 const int LOGARITHM_ERROR = 3;
 
-/// One step of normalising: up by SHIFT bits when the first SHIFT bits are 0.
+/// One step of normalising: up by SHIFT bits when the first SHIFT bits are 0; `shifts` gets that bit.
 template <int SHIFT, int BITS>
-inline void shift_up(ap_uint<BITS>& mantissa, ap_uint<6>& exponent) {
+inline void shift_up(ap_uint<BITS>& mantissa, ap_uint<6>& shifts) {
 #pragma HLS INLINE
   if (mantissa >> (BITS - SHIFT) == 0) {
     mantissa = mantissa << SHIFT;
-    exponent = exponent - SHIFT;
+    shifts = shifts | SHIFT;
   }
 }
 
@@ -97,19 +97,20 @@ inline Logarithm logarithm(ap_uint<BITS> x) {
 #pragma HLS INLINE
   static_assert(BITS > 32, "The first step of normalising looks at 32 bits.");
   ap_uint<BITS> mantissa = x;  // shifted up until its first bit is set
-  ap_uint<6> exponent = BITS - 1;
-  shift_up<32>(mantissa, exponent);
-  shift_up<16>(mantissa, exponent);
-  shift_up<8>(mantissa, exponent);
-  shift_up<4>(mantissa, exponent);
-  shift_up<2>(mantissa, exponent);
-  shift_up<1>(mantissa, exponent);
+  ap_uint<6> shifts = 0;
+  shift_up<32>(mantissa, shifts);
+  shift_up<16>(mantissa, shifts);
+  shift_up<8>(mantissa, shifts);
+  shift_up<4>(mantissa, shifts);
+  shift_up<2>(mantissa, shifts);
+  shift_up<1>(mantissa, shifts);
   const ap_uint<21> fraction = mantissa >> (BITS - 1 - 21);
   const ap_uint<32> chord = Table<LogarithmChord, LogarithmChord::COUNT>::word[fraction.range(20, 13)];
   const ap_uint<19> base = chord.range(30, 12);
   const ap_uint<12> slope = chord.range(11, 0);
   const ap_uint<13> place = fraction.range(12, 0);
   const ap_uint<25> rise = slope * place;
+  const ap_uint<6> exponent = BITS - 1 - shifts;
   return (Logarithm(exponent) << 19) + base + (rise >> 13);
 }
 
@@ -166,34 +167,31 @@ SQUARE:
   }
 }
 
-/// Whether fraction a exceeds fraction b. Limbs of the cross products come lowest first, so that the last
-/// difference decides.
+/// Whether fraction a exceeds fraction b: whether the difference of the cross products is positive. Its limbs
+/// come lowest first; what is left when they are gone is 0 or -1, its sign.
 inline bool greater(const Limb* a_numerator, const Limb* a_denominator, const Limb* b_numerator,
                     const Limb* b_denominator) {
 #pragma HLS INLINE
-  ap_uint<2 * LIMB_BITS + 2> a_sum = 0;
-  ap_uint<2 * LIMB_BITS + 2> b_sum = 0;
-  bool is_greater = false;
+  ap_int<2 * LIMB_BITS + 3> difference = 0;
+  bool differs = false;
 COMPARE:
   for (LongMultiplication at; at.column < 9; at.advance()) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 27 max = 27
-    a_sum = a_sum + at.product<6>(b_denominator, a_numerator);
-    b_sum = b_sum + at.product<6>(a_denominator, b_numerator);
+    difference =
+        difference + at.product<6>(b_denominator, a_numerator) - at.product<6>(a_denominator, b_numerator);
     if (at.column_end()) {
-      const Limb a_limb = a_sum;
-      const Limb b_limb = b_sum;
-      if (a_limb != b_limb) is_greater = a_limb > b_limb;
-      a_sum = a_sum >> LIMB_BITS;
-      b_sum = b_sum >> LIMB_BITS;
+      if (Limb(difference) != 0) differs = true;
+      difference = difference >> LIMB_BITS;
     }
   }
-  return is_greater;
+  return differs && difference >= 0;
 }
 
 /// The first of the best contenders; 0 when there is none.
 template <typename Widths>
-inline Pixel best_contender(const Contender<Widths>* contenders, ap_uint<9> size) {
+inline Pixel best_contender(const Contender<Widths>* contenders, ap_uint<9> size,
+                            typename Widths::Count total) {
 #pragma HLS INLINE
   // The fraction d^2 / (q (N - q)) of a contender and of the best one so far, in limbs, lowest first.
   Limb numerator[6], best_numerator[6];
@@ -205,7 +203,7 @@ CONTENDERS:
     const Contender<Widths> contender = contenders[i];
     Limb deviation[3];
     split(contender.deviation, deviation);
-    split(contender.product, denominator);
+    split(typename Widths::Product(contender.below * (total - contender.below)), denominator);
     square(deviation, numerator);
     if (i == 0 || greater(numerator, denominator, best_numerator, best_denominator)) {
       best_level = contender.level;
@@ -254,7 +252,7 @@ void otsu(hls::stream<Pixel>& in, hls::stream<Pixel>& out, hls::stream<Pixel>& t
   Count total = 0;
   typename W::Sum total_sum = 0;
 PIXELS:
-  for (RasterPosition at(width); at.v < height; at.advance()) {
+  for (RasterPosition at(width, height); at.inside; at.advance()) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT
 // True: a bin written by one of the last two pixels is not read but taken from count1 or count2.
@@ -316,14 +314,14 @@ SCORES:
       const ap_int<27> maybe_above = score + WINDOW;
       const ap_uint<9> place = surely_above > best_score ? ap_uint<9>(0) : contender_count;
       if (maybe_above >= best_score) {
-        const Contender<W> contender = {level, deviation, product};
+        const Contender<W> contender = {level, deviation, below};
         contenders[Pixel(place)] = contender;
         contender_count = place + 1;
       }
       if (score > best_score) best_score = score;
     }
   }
-  threshold = best_contender<W>(contenders, contender_count);
+  threshold = best_contender<W>(contenders, contender_count, total);
   cleared = 1;
 }
 

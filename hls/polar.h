@@ -238,7 +238,7 @@ void polar(hls::stream<Mask>& mask, hls::stream<ap_uint<1> >& moves, hls::stream
 
   // Row `height` holds no pixels, just the steps of the lines in the last row.
 CYCLES:
-  for (RasterPosition at(width); at.v < height || (at.v == height && at.u < tail); at.advance()) {
+  for (RasterPosition at(width, height); at.inside || (at.v == height && at.u < tail); at.advance()) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT + MAX_LINES
 // True: a line reads its row LINE_DELAY or more steps after that was written and LINE_SLACK - LINE_DELAY or
@@ -247,7 +247,7 @@ CYCLES:
 #pragma HLS DEPENDENCE variable = right_columns inter false
 #pragma HLS DEPENDENCE variable = states inter false
     // The row that comes in.
-    const bool streaming = at.v < height;
+    const bool streaming = at.inside;
     Sample pixel = 0;
     if (streaming) {
       const Mask bits = mask.read();

@@ -6,19 +6,26 @@
 
 namespace floorline {
 
-/// Column u and row v of a raster scan over rows of `width` pixels: one counter each instead of a product
-/// width * height, and one flat loop, so that a pipeline runs across the ends of rows.
+/// Column u and row v of a raster scan over `height` rows of `width` pixels, at least one: one counter each
+/// instead of a product width * height, and one flat loop, so that a pipeline runs across the ends of rows.
+/// Whether the scan goes on is known from two comparisons side by side, not from the counters of the next
+/// step.
 struct RasterPosition {
   Size u;
   Size v;
   Size last_column;
+  Size last_row;
+  bool inside;
 
-  explicit RasterPosition(Size width) : u(0), v(0), last_column(width - 1) {}
+  RasterPosition(Size width, Size height)
+      : u(0), v(0), last_column(width - 1), last_row(height - 1), inside(height != 0) {}
 
   bool at_row_end() const { return u == last_column; }
 
   void advance() {
+#pragma HLS INLINE
     if (at_row_end()) {
+      inside = inside && v != last_row;
       u = 0;
       v = v + 1;
     } else {

@@ -19,11 +19,12 @@ namespace floorline {
 ///   typedef ap_uint<..> Column;   reduced column
 ///   static Column reduce_column(Element top, Element middle, Element bottom);
 ///   static Element reduce_row(Column left, Column middle, Column right);
-/// in: width * height elements. out: as many. Needs width >= 4 in hardware: a column's word is read again
-/// `width` steps after it was written.
+/// in: width * height elements. out: as many; with `passes` the same ones, without delay. Needs width >= 4 in
+/// hardware: a column's word is read again `width` steps after it was written.
 template <typename Filter, int MAX_WIDTH, int MAX_HEIGHT>
 void filter_3x3(hls::stream<typename Filter::Element>& in, hls::stream<typename Filter::Element>& out,
-                Size width, Size height) {
+                Size width, Size height, bool passes) {
+#pragma HLS INLINE
   typedef typename Filter::Element Element;
   typedef typename Filter::Column Column;
   const int BITS = Element::width;
@@ -33,9 +34,11 @@ void filter_3x3(hls::stream<typename Filter::Element>& in, hls::stream<typename 
 
   Column left = 0;
   Column middle = 0;
-PIXELS:
   // Row `height` and the first step of the row below it flush the last centres.
-  for (RasterPosition at(width); at.v <= height || (at.v == height + 1 && at.u == 0); at.advance()) {
+  bool corner_waits = !passes;
+PIXELS:
+  for (RasterPosition at(width, passes ? height : Size(height + 1)); at.inside || corner_waits;
+       at.advance()) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 4 max = MAX_WIDTH * MAX_HEIGHT + MAX_WIDTH + 1
 // True: the word of column u is touched again `width` >= 4 steps later, when its write is done.
@@ -44,7 +47,7 @@ PIXELS:
     const Element centre = above.range(BITS - 1, 0);
     const Element top = at.v == 1 ? centre : Element(above.range(2 * BITS - 1, BITS));
     Element bottom = centre;
-    if (at.v < height) {
+    if (at.inside && at.v != height) {
       bottom = in.read();
       rows_above[at.u] = (centre, bottom);
     }
@@ -52,13 +55,16 @@ PIXELS:
 
     // The centre is column u - 1 of row v - 1, or for u = 0 the last column of row v - 2.
     const bool filled = at.v > 1 || (at.v == 1 && at.u > 0);
-    if (filled) {
+    if (passes || filled) {
       const bool first_column = at.u == 1 || at.last_column == 0;
       const bool last_column = at.u == 0;
-      out.write(Filter::reduce_row(first_column ? middle : left, middle, last_column ? middle : right));
+      const Element filtered =
+          Filter::reduce_row(first_column ? middle : left, middle, last_column ? middle : right);
+      out.write(passes ? bottom : filtered);
     }
     left = middle;
     middle = right;
+    if (!at.inside) corner_waits = false;
   }
 }
 

@@ -2,6 +2,16 @@
 #include "verilog/text.h"
 
 namespace hlsc {
+namespace {
+
+/// Tables from this size on lie in block RAM; below, the logic costs less.
+constexpr uint64_t kBlockTableBits = 4096;
+
+bool is_block_rom(const Memory& memory) {
+  return memory.kind == MemoryKind::kRom && memory.depth * memory.width >= kBlockTableBits;
+}
+
+}  // namespace
 
 void ProcessEmitter::emit_memory(size_t index) {
   const Memory& memory = process_.memories[index];
@@ -62,7 +72,7 @@ void ProcessEmitter::emit_ram(const Memory& memory, const std::vector<ValueId>& 
     return;
   }
   std::string array = names_.unique(name + "_words"), q = names_.unique(name + "_read");
-  bodies_ << (memory.kind == MemoryKind::kRom ? "\n    (* ram_style = \"block\" *)" : "") << "\n    reg"
+  bodies_ << (is_block_rom(memory) ? "\n    (* ram_style = \"block\" *)" : "") << "\n    reg"
           << range_text(memory.width) << " " << array << " [0:" << memory.depth - 1 << "];\n    reg"
           << range_text(memory.width) << " " << q << ";\n    assign " << name << "_q = " << q << ";\n";
   emit_initial_words(memory, array);

@@ -33,11 +33,12 @@ module binarize (
     localparam [1:0] S_DONE = 2'd3;
     reg [1:0] state;
 
-    reg [11:0] at_2;
-    reg [11:0] at_3;
+    reg [11:0] at_4;
+    reg [11:0] at_5;
     reg for_3_active;  // stages at work
     reg [7:0] high_q;
     reg [11:0] at_q;
+    reg [11:0] at_2_q;
 
     wire stall;
     wire for_3_ce;
@@ -48,20 +49,22 @@ module binarize (
     wire test_2 = thresholds_data > parameters_floor_V;  // binarize.h:17
     wire [7:0] data = test_2 ? thresholds_data : parameters_floor_V;  // binarize.h:17
     wire [7:0] high = test ? data : parameters_override_high_V;  // binarize.h:17
-    wire [11:0] at = width + 12'd4095;  // raster.h:16
-    wire test_3 = height == 12'd0;  // binarize.h:28
+    wire [11:0] at = width + 12'd4095;  // raster.h:21
+    wire [11:0] at_2 = height + 12'd4095;  // raster.h:21
+    wire at_3 = height == 12'd0;  // raster.h:21
 
     // binarize.h:28:3: loop for_3, II = 1, 1 stage
     wire [7:0] in_data = in_dout;  // binarize.h:31
-    wire test_4 = in_data > high_q;  // binarize.h:32
-    wire test_5 = in_data > parameters_low_V;  // binarize.h:32
-    wire [1:0] chosen = test_4 ? 2'd2 : 2'd0;  // binarize.h:32
-    wire [1:0] either = chosen | {1'd0, test_5};  // binarize.h:32
-    wire test_6 = at_3 == at_q;  // raster.h:18
-    wire [11:0] sum = at_3 + 12'd1;  // raster.h:21
-    wire [11:0] at_4 = test_6 ? 12'd0 : sum;  // raster.h:21
-    wire [11:0] at_5 = at_2 + {11'd0, test_6};  // raster.h:21
-    wire test_7 = at_5 < height;  // binarize.h:28
+    wire test_3 = in_data > high_q;  // binarize.h:32
+    wire test_4 = in_data > parameters_low_V;  // binarize.h:32
+    wire [1:0] chosen = test_3 ? 2'd2 : 2'd0;  // binarize.h:32
+    wire [1:0] either = chosen | {1'd0, test_4};  // binarize.h:32
+    wire test_5 = at_5 == at_q;  // raster.h:23
+    wire test_6 = at_4 == at_2_q;  // raster.h:27
+    wire [11:0] sum = at_5 + 12'd1;  // raster.h:27
+    wire [11:0] at_6 = test_5 ? 12'd0 : sum;  // raster.h:27
+    wire [11:0] at_7 = at_4 + {11'd0, test_5};  // raster.h:27
+    wire at_8 = test_5 & test_6;  // binarize.h:28
 
     assign stall = ((state == S_ENTRY) & ~thresholds_empty_n);
     assign for_3_ce = ~((for_3_active & ~in_empty_n) | (for_3_active & ~out_full_n));
@@ -77,25 +80,25 @@ module binarize (
 
     always @(posedge clk) begin
         if (for_3_ce) begin
-            for_3_active <= for_3_active & test_7;
+            for_3_active <= for_3_active & ~at_8;
         end
-        if (for_3_active & for_3_ce) at_2 <= at_5;
-        if (for_3_active & for_3_ce) at_3 <= at_4;
+        if (for_3_active & for_3_ce) at_4 <= at_7;
+        if (for_3_active & for_3_ce) at_5 <= at_6;
         case (state)
             S_IDLE: if (ap_start) begin
                 state <= S_ENTRY;
             end
             S_ENTRY: if (~stall) begin
-                if (test_3) begin
+                if (at_3) begin
                     state <= S_DONE;
                 end else begin
                     state <= S_FOR_3;
                     for_3_active <= 1'b1;
-                    at_2 <= 12'd0;
-                    at_3 <= 12'd0;
+                    at_4 <= 12'd0;
+                    at_5 <= 12'd0;
                 end
             end
-            S_FOR_3: if (for_3_active & for_3_ce & ~test_7) begin
+            S_FOR_3: if (for_3_active & for_3_ce & at_8) begin
                 state <= S_DONE;
             end
             S_DONE: if (ap_continue) state <= S_IDLE;
@@ -110,6 +113,7 @@ module binarize (
     always @(posedge clk) begin
         if ((state == S_ENTRY) & ~stall) high_q <= high;
         if ((state == S_ENTRY) & ~stall) at_q <= at;
+        if ((state == S_ENTRY) & ~stall) at_2_q <= at_2;
     end
 
 endmodule

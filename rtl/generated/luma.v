@@ -28,22 +28,24 @@ module luma (
     localparam [1:0] S_DONE = 2'd3;
     reg [1:0] state;
 
-    reg [11:0] at_2;
-    reg [11:0] at_3;
+    reg [11:0] at_4;
+    reg [11:0] at_5;
     reg [1:0] for_3_active;  // stages at work
     reg [11:0] at_q;
+    reg [11:0] at_2_q;
     reg [17:0] sum_s1;
     reg [15:0] product_2_s1;
     reg [7:0] value_11_s1;
-    reg test_3_s1;
+    reg at_8_s1;
 
     wire stall;
     wire for_3_ce;
     wire for_3_front_ce;
 
-    // raster.h:16:71: entry
-    wire [11:0] at = width + 12'd4095;  // raster.h:16
-    wire test = height == 12'd0;  // luma.h:31
+    // raster.h:21:39: entry
+    wire [11:0] at = width + 12'd4095;  // raster.h:21
+    wire [11:0] at_2 = height + 12'd4095;  // raster.h:21
+    wire at_3 = height == 12'd0;  // raster.h:21
 
     // luma.h:31:3: loop for_3, II = 1, 2 stages
     wire [23:0] in_data = in_dout;  // luma.h:34
@@ -54,10 +56,10 @@ module luma (
     wire [8:0] difference_2 = {1'd0, shifted_2} - {1'd0, value_5};  // luma.h:22
     wire [7:0] value_7 = in_data[7:0];  // luma.h:23
     wire [17:0] shifted_3 = {value_7, 10'd0};  // luma.h:23
-    wire [17:0] both_3 = shifted_3 & 18'd261120;  // luma.h:23
+    wire [17:0] both_4 = shifted_3 & 18'd261120;  // luma.h:23
     wire [8:0] value_8 = difference;  // luma.h:23
     wire [17:0] product = $signed(value_8) * $signed(10'd306);  // luma.h:23
-    wire [17:0] sum = both_3 + product;  // luma.h:23
+    wire [17:0] sum = both_4 + product;  // luma.h:23
     wire [8:0] value_9 = difference_2;  // luma.h:23
     wire [15:0] product_2 = $signed(value_9) * $signed(8'd117);  // luma.h:23
     wire [17:0] sum_2 = sum_s1 + {{2{product_2_s1[15]}}, product_2_s1};  // luma.h:23
@@ -65,11 +67,12 @@ module luma (
     wire [7:0] shifted_4 = sum_3[17:10];  // luma.h:24
     wire [7:0] value_11 = in_data[7:0];  // luma.h:35
     wire [7:0] chosen = grey ? value_11_s1 : shifted_4;  // luma.h:35
-    wire test_2 = at_3 == at_q;  // raster.h:18
-    wire [11:0] sum_4 = at_3 + 12'd1;  // raster.h:21
-    wire [11:0] at_4 = test_2 ? 12'd0 : sum_4;  // raster.h:21
-    wire [11:0] at_5 = at_2 + {11'd0, test_2};  // raster.h:21
-    wire test_3 = at_5 < height;  // luma.h:31
+    wire test = at_5 == at_q;  // raster.h:23
+    wire test_2 = at_4 == at_2_q;  // raster.h:27
+    wire [11:0] sum_4 = at_5 + 12'd1;  // raster.h:27
+    wire [11:0] at_6 = test ? 12'd0 : sum_4;  // raster.h:27
+    wire [11:0] at_7 = at_4 + {11'd0, test};  // raster.h:27
+    wire at_8 = test & test_2;  // luma.h:31
 
     assign stall = 1'b0;
     assign for_3_ce = ~((for_3_active[1] & ~out_full_n));
@@ -85,28 +88,28 @@ module luma (
 
     always @(posedge clk) begin
         if (for_3_front_ce) begin
-            for_3_active[0] <= for_3_active[0] & test_3;
+            for_3_active[0] <= for_3_active[0] & ~at_8;
         end
         if (for_3_ce) begin
             for_3_active[1] <= for_3_active[0] & for_3_front_ce;
         end
-        if (for_3_active[0] & for_3_front_ce) at_2 <= at_5;
-        if (for_3_active[0] & for_3_front_ce) at_3 <= at_4;
+        if (for_3_active[0] & for_3_front_ce) at_4 <= at_7;
+        if (for_3_active[0] & for_3_front_ce) at_5 <= at_6;
         case (state)
             S_IDLE: if (ap_start) begin
                 state <= S_ENTRY;
             end
             S_ENTRY: if (~stall) begin
-                if (test) begin
+                if (at_3) begin
                     state <= S_DONE;
                 end else begin
                     state <= S_FOR_3;
                     for_3_active[0] <= 1'b1;
-                    at_2 <= 12'd0;
-                    at_3 <= 12'd0;
+                    at_4 <= 12'd0;
+                    at_5 <= 12'd0;
                 end
             end
-            S_FOR_3: if (for_3_active[1] & for_3_ce & ~test_3_s1) begin
+            S_FOR_3: if (for_3_active[1] & for_3_ce & at_8_s1) begin
                 state <= S_DONE;
             end
             S_DONE: if (ap_continue) state <= S_IDLE;
@@ -120,11 +123,12 @@ module luma (
 
     always @(posedge clk) begin
         if ((state == S_ENTRY) & ~stall) at_q <= at;
+        if ((state == S_ENTRY) & ~stall) at_2_q <= at_2;
         if (for_3_front_ce) begin
             sum_s1 <= sum;
             product_2_s1 <= product_2;
             value_11_s1 <= value_11;
-            test_3_s1 <= test_3;
+            at_8_s1 <= at_8;
         end
     end
 

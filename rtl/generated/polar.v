@@ -46,8 +46,9 @@ module polar (
     reg [1:0] taps_2;
     reg [1:0] taps_3;
     reg [1:0] taps_4;
-    reg [11:0] at_2;
-    reg [11:0] at_3;
+    reg at_4;
+    reg [11:0] at_5;
+    reg [11:0] at_6;
     reg [11:0] high_before;
     reg [5:0] for_2_active;  // stages at work
     wire [110:0] lines_q = lines_q0;
@@ -58,8 +59,9 @@ module polar (
     reg [9:0] tail_q;
     reg [11:0] sum_2_q;
     reg [9:0] at_q;
+    reg [11:0] at_2_q;
     reg [9:0] sum_3_q;
-    reg test_4_s1;
+    reg differs_s1;
     reg either_s1;
     reg either_s2;
     reg either_s3;
@@ -68,10 +70,10 @@ module polar (
     reg [11:0] sum_7_s1;
     reg [11:0] sum_7_s2;
     reg [11:0] sum_7_s3;
-    reg both_8_s1;
-    reg both_8_s2;
-    reg both_11_s1;
-    reg both_11_s2;
+    reg both_9_s1;
+    reg both_9_s2;
+    reg both_12_s1;
+    reg both_12_s2;
     reg [7:0] sum_8_s1;
     reg [7:0] sum_8_s2;
     reg [7:0] sum_8_s3;
@@ -96,35 +98,35 @@ module polar (
     reg [11:0] step_3_s3;
     reg [1:0] step_4_s2;
     reg [1:0] step_4_s3;
-    reg test_13_s2;
+    reg test_12_s2;
     reg [11:0] run_2_s2;
     reg [12:0] difference_s2;
     reg [12:0] sum_11_s2;
-    reg test_15_s2;
+    reg test_14_s2;
     reg differs_5_s2;
     reg [11:0] value_33_s2;
     reg [11:0] difference_2_s2;
-    reg both_25_s2;
-    reg both_25_s3;
-    reg both_25_s4;
     reg both_26_s2;
     reg both_26_s3;
-    reg both_29_s3;
-    reg test_23_s2;
-    reg test_23_s3;
+    reg both_26_s4;
+    reg both_27_s2;
+    reg both_27_s3;
+    reg both_30_s3;
+    reg test_22_s2;
+    reg test_22_s3;
     reg either_6_s2;
     reg either_6_s3;
     reg either_6_s4;
-    reg both_31_s2;
-    reg both_31_s3;
-    reg test_25_s2;
-    reg test_25_s3;
+    reg both_32_s2;
+    reg both_32_s3;
+    reg test_24_s2;
+    reg test_24_s3;
     reg [11:0] chosen_17_s2;
     reg [11:0] chosen_17_s3;
     reg [11:0] sum_18_s2;
     reg [11:0] sum_18_s3;
-    reg both_37_s2;
-    reg both_37_s3;
+    reg both_38_s2;
+    reg both_38_s3;
     reg [1:0] chosen_19_s4;
     reg [11:0] next_2_s4;
     reg [11:0] difference_5_s4;
@@ -140,17 +142,17 @@ module polar (
     reg [12:0] value_61_s3;
     reg [12:0] value_61_s4;
     reg [13:0] product_2_s4;
-    reg test_31_s4;
+    reg test_30_s4;
     reg chosen_22_s5;
-    reg both_46_s5;
+    reg both_47_s5;
     reg [32:0] either_12_s4;
     reg [45:0] either_14_s5;
-    reg both_51_s1;
-    reg both_51_s2;
-    reg both_51_s3;
-    reg both_51_s4;
-    reg test_32_s2;
-    reg test_32_s3;
+    reg both_52_s1;
+    reg both_52_s2;
+    reg both_52_s3;
+    reg both_52_s4;
+    reg test_31_s2;
+    reg test_31_s3;
     reg [19:0] shifted_17_s4;
     reg [20:0] chosen_26_s1;
     reg [20:0] chosen_26_s2;
@@ -185,35 +187,36 @@ module polar (
 
     // polar.h:209:12: if_2
 
-    // raster.h:16:71: ZN9ap_detail6largerEii
-    wire [11:0] sum_2 = width + 12'd4095;  // raster.h:16
-    wire [9:0] at = sum_2[9:0];  // raster.h:16
+    // raster.h:21:39: ZN9ap_detail6largerEii
+    wire [11:0] sum_2 = width + 12'd4095;  // raster.h:21
+    wire [9:0] at = sum_2[9:0];  // raster.h:21
+    wire [11:0] at_2 = height + 12'd4095;  // raster.h:21
+    wire at_3 = height != 12'd0;  // raster.h:21
     wire [9:0] sum_3 = {1'd0, walked_q} + 10'd1023;
 
     // polar.h:214:3: loop for_2, II = 1, 6 stages
-    wire test_4 = at_2 >= height;  // polar.h:214
-    wire differs = ~test_4;
+    wire differs = ~at_4;
+    wire test_4 = at_5 == height;  // polar.h:214
+    wire test_5 = at_6 < {2'd0, tail_q};  // polar.h:214
+    wire both_6 = test_4 & test_5;  // polar.h:214
+    wire both_7 = differs & both_6;
+    wire either = at_4 | both_6;
     wire [1:0] mask_data = mask_dout;  // polar.h:225
-    wire test_5 = at_2 == height;  // polar.h:214
-    wire test_6 = at_3 < {2'd0, tail_q};  // polar.h:214
-    wire both_5 = test_5 & test_6;  // polar.h:214
-    wire both_6 = test_4 & both_5;  // polar.h:225
-    wire either = differs | both_5;  // polar.h:225
-    wire [1:0] pixel = both_6 ? 2'd0 : mask_data;  // polar.h:225
-    wire test_7 = at_3 < 12'd2;  // polar.h:227
-    wire [1:0] right = test_7 ? 2'd0 : pixel;  // polar.h:228
-    wire [9:0] chosen = test_7 ? width[9:0] : 10'd0;  // polar.h:228
-    wire [9:0] centre = at_3[9:0] + chosen;  // polar.h:228
+    wire [1:0] pixel = both_7 ? 2'd0 : mask_data;  // polar.h:225
+    wire test_6 = at_6 < 12'd2;  // polar.h:227
+    wire [1:0] right = test_6 ? 2'd0 : pixel;  // polar.h:228
+    wire [9:0] chosen = test_6 ? width[9:0] : 10'd0;  // polar.h:228
+    wire [9:0] centre = at_6[9:0] + chosen;  // polar.h:228
     wire [9:0] centre_2 = centre + 10'd1022;  // polar.h:228
-    wire value_9 = at_2[0];  // polar.h:229
-    wire differs_2 = test_7 ^ value_9;  // polar.h:229
+    wire value_9 = at_5[0];  // polar.h:229
+    wire differs_2 = test_6 ^ value_9;  // polar.h:229
     wire shifted = taps_3[1];  // polar.h:230
-    wire test_8 = at_3 == 12'd1;  // polar.h:100
-    wire [1:0] chosen_2 = test_8 ? 2'd0 : taps_4;  // polar.h:100
-    wire test_9 = at_3 == 12'd2;  // polar.h:101
-    wire [1:0] left = test_9 ? 2'd0 : taps_2;  // polar.h:101
-    wire [11:0] both_7 = at_3 & 12'd4094;  // polar.h:102
-    wire switch = both_7 == 12'd2;  // polar.h:102
+    wire test_7 = at_6 == 12'd1;  // polar.h:100
+    wire [1:0] chosen_2 = test_7 ? 2'd0 : taps_4;  // polar.h:100
+    wire test_8 = at_6 == 12'd2;  // polar.h:101
+    wire [1:0] left = test_8 ? 2'd0 : taps_2;  // polar.h:101
+    wire [11:0] both_8 = at_6 & 12'd4094;  // polar.h:102
+    wire switch = both_8 == 12'd2;  // polar.h:102
     wire [1:0] left_2 = switch ? 2'd0 : taps;  // polar.h:102
     wire [1:0] either_2 = right | left_2;  // polar.h:103
     wire [1:0] either_3 = either_2 | chosen_2;  // polar.h:103
@@ -234,15 +237,15 @@ module polar (
     wire [1:0] right_columns_2_store_2 = chosen_3;  // polar.h:233
     wire [14:0] right_columns_2_store_word = {right_columns_2_store_2, right_columns_2_store_1, right_columns_2_store_0};  // polar.h:233
     wire [11:0] sum_6 = high_before + {11'd0, shifted};  // polar.h:234
-    wire [11:0] chosen_4 = test_8 ? 12'd0 : sum_6;  // polar.h:234
-    wire [11:0] sum_7 = at_2 + 12'd4095;  // polar.h:237
-    wire both_8 = sum_7[0];  // polar.h:238
-    wire test_10 = at_2 != 12'd0;  // polar.h:239
-    wire test_11 = at_3 > 12'd3;
-    wire both_9 = test_10 & test_11;  // polar.h:239
-    wire both_10 = both_9 & test_6;  // polar.h:239
-    wire both_11 = either & both_10;  // polar.h:233
-    wire [7:0] value_19 = at_3[7:0];  // polar.h:240
+    wire [11:0] chosen_4 = test_7 ? 12'd0 : sum_6;  // polar.h:234
+    wire [11:0] sum_7 = at_5 + 12'd4095;  // polar.h:237
+    wire both_9 = sum_7[0];  // polar.h:238
+    wire test_9 = at_5 != 12'd0;  // polar.h:239
+    wire test_10 = at_6 > 12'd3;
+    wire both_10 = test_9 & test_10;  // polar.h:239
+    wire both_11 = both_10 & test_5;  // polar.h:239
+    wire both_12 = either & both_11;  // polar.h:233
+    wire [7:0] value_19 = at_6[7:0];  // polar.h:240
     wire [7:0] sum_8 = value_19 + 8'd252;  // polar.h:240
     wire [6:0] value_20 = sum_8[6:0];  // polar.h:241
     wire [110:0] lines_word = lines_q;  // polar.h:241
@@ -273,31 +276,31 @@ module polar (
     wire [38:0] states_8_data_5_above = states_3_data_element[88:50];  // polar.h:112
     wire [12:0] states_8_data_5_part = states_8_data_5_above[12:0];  // polar.h:112
     wire [12:0] states_8_data = states_8_data_5_part;  // polar.h:112
-    wire test_12 = sum_7_s1 == shifted_2;  // polar.h:113
+    wire test_11 = sum_7_s1 == shifted_2;  // polar.h:113
     wire [25:0] states_1_data_6_above = states_3_data_element[88:63];
     wire [11:0] states_1_data_6_part = states_1_data_6_above[11:0];
     wire [11:0] states_1_data = states_1_data_6_part;
     wire [13:0] states_0_data_7_above = states_3_data_element[88:75];
     wire [12:0] states_0_data_7_part = states_0_data_7_above[12:0];
     wire [12:0] states_0_data = states_0_data_7_part;
-    wire differs_3 = ~test_12;
-    wire both_13 = both_11_s1 & differs_3;
+    wire differs_3 = ~test_11;
+    wire both_14 = both_12_s1 & differs_3;
     wire [11:0] shifted_11 = lines_word[108:97];
     wire [12:0] lines_word_2 = lines_word[12:0];
-    wire [12:0] step = both_13 ? states_0_data : lines_word_2;
-    wire [11:0] step_2 = both_13 ? states_1_data : shifted_11;
-    wire [11:0] step_3 = both_13 ? states_3_data : 12'd0;
-    wire [1:0] step_4 = both_13 ? states_4_data : 2'd0;
-    wire test_13 = shifted_6 == 12'd0;  // polar.h:120
-    wire both_15 = both_11_s1 & test_13;
+    wire [12:0] step = both_14 ? states_0_data : lines_word_2;
+    wire [11:0] step_2 = both_14 ? states_1_data : shifted_11;
+    wire [11:0] step_3 = both_14 ? states_3_data : 12'd0;
+    wire [1:0] step_4 = both_14 ? states_4_data : 2'd0;
+    wire test_12 = shifted_6 == 12'd0;  // polar.h:120
+    wire both_16 = both_12_s1 & test_12;
     wire states_2_data_8_above = states_3_data_element[88];  // polar.h:120
     wire states_2_data_8_part = states_2_data_8_above;  // polar.h:120
     wire states_2_data = states_2_data_8_part;  // polar.h:120
     wire [11:0] sum_9 = shifted_6 + {11'd0, states_2_data};  // polar.h:120
-    wire [11:0] run = both_15 ? 12'd1 : sum_9;  // polar.h:120
-    wire [11:0] chosen_5 = test_12 ? shifted_4 : run;  // polar.h:121
-    wire test_14 = sum_7_s1 == shifted_3;  // polar.h:122
-    wire [11:0] run_2 = test_14 ? shifted_5 : chosen_5;  // polar.h:122
+    wire [11:0] run = both_16 ? 12'd1 : sum_9;  // polar.h:120
+    wire [11:0] chosen_5 = test_11 ? shifted_4 : run;  // polar.h:121
+    wire test_13 = sum_7_s1 == shifted_3;  // polar.h:122
+    wire [11:0] run_2 = test_13 ? shifted_5 : chosen_5;  // polar.h:122
     wire [12:0] difference = step - {1'd0, run_2};  // polar.h:125
     wire [12:0] sum_10 = difference_s2 + 13'd1;  // polar.h:125
     wire [12:0] chosen_6 = shifted_9_s2 ? sum_10 : step_s2;  // polar.h:125
@@ -305,49 +308,49 @@ module polar (
     wire [12:0] sum_12 = sum_11_s2 + 13'd8191;  // polar.h:126
     wire [12:0] chosen_7 = shifted_9_s2 ? step_s2 : sum_12;  // polar.h:126
     wire [12:0] sum_13 = {1'd0, step_2} + {1'd0, shifted_7};  // polar.h:128
-    wire test_15 = sum_13 >= {1'd0, shifted_8};  // polar.h:129
-    wire [11:0] advance = test_13_s2 ? {11'd0, test_15_s2} : run_2_s2;  // polar.h:130
-    wire differs_5 = ~test_15;  // polar.h:120
-    wire both_22 = both_11_s2 & differs_5_s2;  // polar.h:120
+    wire test_14 = sum_13 >= {1'd0, shifted_8};  // polar.h:129
+    wire [11:0] advance = test_12_s2 ? {11'd0, test_14_s2} : run_2_s2;  // polar.h:130
+    wire differs_5 = ~test_14;  // polar.h:120
+    wire both_23 = both_12_s2 & differs_5_s2;  // polar.h:120
     wire [11:0] value_33 = sum_13[11:0];  // polar.h:131
     wire [11:0] value_34 = sum_13[11:0];  // polar.h:131
     wire [11:0] difference_2 = value_34 - shifted_8;  // polar.h:131
-    wire [11:0] chosen_8 = both_22 ? value_33_s2 : difference_2_s2;  // polar.h:120
+    wire [11:0] chosen_8 = both_23 ? value_33_s2 : difference_2_s2;  // polar.h:120
     wire [12:0] difference_3 = 13'd0 - {1'd0, advance};  // polar.h:133
     wire [12:0] chosen_9 = shifted_9_s2 ? difference_3 : {1'd0, advance};  // polar.h:133
     wire [12:0] sum_14 = chosen_9 + step_s2;  // polar.h:133
-    wire test_16 = sum_7_s1 >= shifted_2;  // polar.h:244
-    wire test_17 = sum_7_s1 <= shifted_3;
-    wire both_24 = test_16 & test_17;  // polar.h:244
-    wire both_25 = both_11_s1 & both_24;  // polar.h:120
-    wire differs_6 = ~both_24;  // polar.h:120
-    wire both_26 = both_11_s1 & differs_6;  // polar.h:120
-    wire test_18 = $signed(chosen_6) < $signed(13'd0);  // polar.h:139
-    wire test_19 = $signed(chosen_6) < $signed({1'd0, width});  // polar.h:139
+    wire test_15 = sum_7_s1 >= shifted_2;  // polar.h:244
+    wire test_16 = sum_7_s1 <= shifted_3;
+    wire both_25 = test_15 & test_16;  // polar.h:244
+    wire both_26 = both_12_s1 & both_25;  // polar.h:120
+    wire differs_6 = ~both_25;  // polar.h:120
+    wire both_27 = both_12_s1 & differs_6;  // polar.h:120
+    wire test_17 = $signed(chosen_6) < $signed(13'd0);  // polar.h:139
+    wire test_18 = $signed(chosen_6) < $signed({1'd0, width});  // polar.h:139
     wire [9:0] value_39 = chosen_6[9:0];  // polar.h:139
-    wire [9:0] chosen_10 = test_19 ? value_39 : at_q;  // polar.h:139
-    wire [9:0] chosen_11 = test_18 ? 10'd0 : chosen_10;  // polar.h:245
+    wire [9:0] chosen_10 = test_18 ? value_39 : at_q;  // polar.h:139
+    wire [9:0] chosen_11 = test_17 ? 10'd0 : chosen_10;  // polar.h:245
     wire [10:0] index_3 = {chosen_11, 1'd0};  // polar.h:245
-    wire [10:0] index_4 = {10'd0, both_8_s2} + index_3;  // polar.h:245
+    wire [10:0] index_4 = {10'd0, both_9_s2} + index_3;  // polar.h:245
     wire [13:0] left_columns_2_data_element = left_columns_q;  // polar.h:245
     wire [1:0] left_columns_2_data_1_above = left_columns_2_data_element[13:12];  // polar.h:245
     wire [1:0] left_columns_2_data_1_part = left_columns_2_data_1_above;  // polar.h:245
     wire [1:0] left_columns_2_data = left_columns_2_data_1_part;  // polar.h:245
-    wire test_20 = $signed(chosen_7) < $signed(13'd0);  // polar.h:139
-    wire test_21 = $signed(chosen_7) < $signed({1'd0, width});  // polar.h:139
+    wire test_19 = $signed(chosen_7) < $signed(13'd0);  // polar.h:139
+    wire test_20 = $signed(chosen_7) < $signed({1'd0, width});  // polar.h:139
     wire [9:0] value_42 = chosen_7[9:0];  // polar.h:139
-    wire [9:0] chosen_12 = test_21 ? value_42 : at_q;  // polar.h:139
-    wire [9:0] chosen_13 = test_20 ? 10'd0 : chosen_12;  // polar.h:246
+    wire [9:0] chosen_12 = test_20 ? value_42 : at_q;  // polar.h:139
+    wire [9:0] chosen_13 = test_19 ? 10'd0 : chosen_12;  // polar.h:246
     wire [10:0] index_5 = {chosen_13, 1'd0};  // polar.h:246
-    wire [10:0] index_6 = {10'd0, both_8_s2} + index_5;  // polar.h:246
+    wire [10:0] index_6 = {10'd0, both_9_s2} + index_5;  // polar.h:246
     wire [14:0] right_columns_2_data_element = right_columns_q;  // polar.h:246
     wire [1:0] right_columns_2_data_2_above = right_columns_2_data_element[14:13];  // polar.h:246
     wire [1:0] right_columns_2_data_2_part = right_columns_2_data_2_above;  // polar.h:246
     wire [1:0] right_columns_2_data = right_columns_2_data_2_part;  // polar.h:246
-    wire test_22 = $signed(chosen_7) > $signed(13'd8191);
-    wire both_27 = test_19 & test_22;  // polar.h:247
-    wire differs_7 = ~both_27;  // polar.h:246
-    wire both_29 = both_25_s2 & differs_7;  // polar.h:246
+    wire test_21 = $signed(chosen_7) > $signed(13'd8191);
+    wire both_28 = test_18 & test_21;  // polar.h:247
+    wire differs_7 = ~both_28;  // polar.h:246
+    wire both_30 = both_26_s2 & differs_7;  // polar.h:246
     wire [11:0] left_columns_0_data_0_part = left_columns_2_data_element[11:0];  // polar.h:245
     wire [11:0] left_columns_0_data = left_columns_0_data_0_part;  // polar.h:245
     wire [2:0] right_columns_1_data_1_above = right_columns_2_data_element[14:12];  // polar.h:246
@@ -358,60 +361,60 @@ module polar (
     wire [11:0] sum_15 = right_columns_0_data + {11'd0, right_columns_1_data};  // polar.h:248
     wire [11:0] difference_4 = sum_15 - left_columns_0_data;  // polar.h:248
     wire [11:0] sum_16 = difference_4 + step_3_s3;  // polar.h:248
-    wire [11:0] next = both_29_s3 ? step_3_s3 : sum_16;  // polar.h:246
+    wire [11:0] next = both_30_s3 ? step_3_s3 : sum_16;  // polar.h:246
     wire [1:0] chosen_14 = shifted_9_s3 ? right_columns_2_data : left_columns_2_data;  // polar.h:249
-    wire test_23 = {1'd0, width} > step;  // polar.h:250
-    wire either_6 = test_14 | test_4_s1;  // polar.h:251
-    wire [1:0] chosen_15 = test_23_s3 ? chosen_14 : 2'd0;  // polar.h:254
-    wire both_31 = rule_run_rule_V & shifted_10;  // polar.h:148
-    wire both_32 = chosen_15[0];
-    wire [1:0] chosen_16 = rule_run_rule_V ? {1'd0, both_32} : chosen_15;  // polar.h:149
-    wire test_24 = chosen_16 == 2'd0;  // polar.h:150
-    wire both_34 = both_25_s3 & test_24;  // polar.h:148
-    wire test_25 = step_4 != 2'd0;  // polar.h:147
-    wire [11:0] chosen_17 = test_25 ? states_7_data : 12'd0;  // polar.h:151
+    wire test_22 = {1'd0, width} > step;  // polar.h:250
+    wire either_6 = test_13 | differs_s1;  // polar.h:251
+    wire [1:0] chosen_15 = test_22_s3 ? chosen_14 : 2'd0;  // polar.h:254
+    wire both_32 = rule_run_rule_V & shifted_10;  // polar.h:148
+    wire both_33 = chosen_15[0];
+    wire [1:0] chosen_16 = rule_run_rule_V ? {1'd0, both_33} : chosen_15;  // polar.h:149
+    wire test_23 = chosen_16 == 2'd0;  // polar.h:150
+    wire both_35 = both_26_s3 & test_23;  // polar.h:148
+    wire test_24 = step_4 != 2'd0;  // polar.h:147
+    wire [11:0] chosen_17 = test_24 ? states_7_data : 12'd0;  // polar.h:151
     wire shifted_12 = chosen_15[1];  // polar.h:151
     wire [11:0] sum_17 = chosen_17_s3 + {11'd0, shifted_12};  // polar.h:151
-    wire test_26 = chosen_15 > step_4_s3;  // polar.h:152
+    wire test_25 = chosen_15 > step_4_s3;  // polar.h:152
     wire [11:0] sum_18 = states_7_data + 12'd1;  // polar.h:152
-    wire [11:0] triangle = test_26 ? 12'd0 : sum_18_s3;  // polar.h:152
+    wire [11:0] triangle = test_25 ? 12'd0 : sum_18_s3;  // polar.h:152
     wire [11:0] chosen_18 = rule_run_rule_V ? sum_17 : triangle;  // polar.h:153
-    wire both_37 = test_25 & both_31;  // polar.h:155
-    wire [1:0] chosen_19 = both_34 ? step_4_s3 : chosen_16;  // polar.h:148
-    wire [11:0] next_2 = both_34 ? states_7_data_s3 : chosen_18;  // polar.h:148
-    wire either_7 = both_34 | both_37_s3;  // polar.h:148
+    wire both_38 = test_24 & both_32;  // polar.h:155
+    wire [1:0] chosen_19 = both_35 ? step_4_s3 : chosen_16;  // polar.h:148
+    wire [11:0] next_2 = both_35 ? states_7_data_s3 : chosen_18;  // polar.h:148
+    wire either_7 = both_35 | both_38_s3;  // polar.h:148
     wire [12:0] next_3 = either_7 ? states_8_data_s3 : step_s3;  // polar.h:148
-    wire [11:0] next_4 = both_34 ? states_6_data_s3 : sum_7_s3;  // polar.h:148
-    wire either_8 = both_34 | test_25_s3;  // polar.h:148
+    wire [11:0] next_4 = both_35 ? states_6_data_s3 : sum_7_s3;  // polar.h:148
+    wire either_8 = both_35 | test_24_s3;  // polar.h:148
     wire [11:0] next_5 = either_8 ? states_5_data_s3 : sum_7_s3;  // polar.h:148
     wire [11:0] difference_5 = sum_7_s3 - next_4;  // polar.h:158
     wire [11:0] chosen_20 = rule_run_rule_V ? rule_max_gap_V : 12'd0;  // polar.h:159
-    wire test_27 = difference_5_s4 > chosen_20_s4;  // polar.h:159
+    wire test_26 = difference_5_s4 > chosen_20_s4;  // polar.h:159
     wire [1:0] either_9 = step_4_s3 | chosen_16;  // polar.h:160
     wire brmerge = either_9 != 2'd0;  // polar.h:160
-    wire either_10 = test_27 | either_6_s4;
-    wire both_39 = brmerge_s4 & either_10;  // polar.h:160
-    wire [1:0] next_6 = both_39 ? 2'd0 : chosen_19_s4;  // polar.h:161
+    wire either_10 = test_26 | either_6_s4;
+    wire both_40 = brmerge_s4 & either_10;  // polar.h:160
+    wire [1:0] next_6 = both_40 ? 2'd0 : chosen_19_s4;  // polar.h:161
     wire [11:0] difference_6 = next_4 - next_5;  // polar.h:167
     wire [11:0] sum_19 = difference_6_s4 + 12'd1;  // polar.h:167
-    wire [11:0] chosen_21 = both_31_s3 ? next_5 : next_4;  // polar.h:168
+    wire [11:0] chosen_21 = both_32_s3 ? next_5 : next_4;  // polar.h:168
     wire [12:0] value_61 = rule_horizon_row_V;  // polar.h:169
     wire [13:0] difference_7 = {2'd0, chosen_21_s4} - {{1{value_61_s4[12]}}, value_61_s4};  // polar.h:169
     wire [13:0] value_62 = difference_7;  // polar.h:169
     wire [23:0] product = $signed(value_62) * $signed({1'd0, rule_height_ratio_V});  // polar.h:169
     wire [15:0] shifted_13 = product[23:8];  // polar.h:169
-    wire test_28 = sum_19 >= rule_min_rows_V;  // polar.h:170
-    wire test_29 = $signed(shifted_13) <= $signed({4'd0, sum_19});
-    wire both_42 = both_25_s4 & test_28;  // polar.h:170
-    wire both_43 = both_42 & test_29;  // polar.h:170
+    wire test_27 = sum_19 >= rule_min_rows_V;  // polar.h:170
+    wire test_28 = $signed(shifted_13) <= $signed({4'd0, sum_19});
+    wire both_43 = both_26_s4 & test_27;  // polar.h:170
+    wire both_44 = both_43 & test_28;  // polar.h:170
     wire [12:0] product_2_shifted_1 = {next_2, 1'd0};  // polar.h:170
     wire [13:0] product_2 = {1'd0, product_2_shifted_1} + {2'd0, next_2};  // polar.h:170
-    wire test_30 = product_2_s4 >= {2'd0, sum_19};  // polar.h:170
-    wire both_45 = both_43 & test_30;  // polar.h:170
-    wire test_31 = next_2 > 12'd4;  // polar.h:171
-    wire chosen_22 = rule_run_rule_V ? both_45 : test_31_s4;  // polar.h:178
-    wire both_46 = both_25_s4 & both_39;  // polar.h:170
-    wire both_47 = both_46_s5 & chosen_22_s5;  // polar.h:170
+    wire test_29 = product_2_s4 >= {2'd0, sum_19};  // polar.h:170
+    wire both_46 = both_44 & test_29;  // polar.h:170
+    wire test_30 = next_2 > 12'd4;  // polar.h:171
+    wire chosen_22 = rule_run_rule_V ? both_46 : test_30_s4;  // polar.h:178
+    wire both_47 = both_26_s4 & both_40;  // polar.h:170
+    wire both_48 = both_47_s5 & chosen_22_s5;  // polar.h:170
     wire [11:0] chosen_23 = rule_run_rule_V ? sum_19 : next_2_s4;  // polar.h:175
     wire [20:0] shifted_14 = {next_3, 8'd0};  // polar.h:256
     wire [20:0] either_11 = shifted_14 | {13'd0, sum_8_s3};  // polar.h:256
@@ -419,7 +422,7 @@ module polar (
     wire [32:0] either_12 = {12'd0, either_11} | shifted_15;  // polar.h:256
     wire [44:0] shifted_16 = {chosen_23, 33'd0};  // polar.h:256
     wire [44:0] either_13 = {12'd0, either_12_s4} | shifted_16;  // polar.h:256
-    wire [45:0] chosen_24 = test_27 ? 46'd0 : 46'h200000000000;  // polar.h:256
+    wire [45:0] chosen_24 = test_26 ? 46'd0 : 46'h200000000000;  // polar.h:256
     wire [45:0] either_14 = {1'd0, either_13} | chosen_24;  // polar.h:256
     wire [11:0] states_8_store_0 = next;  // polar.h:258
     wire [1:0] states_8_store_1 = next_6;  // polar.h:258
@@ -429,21 +432,26 @@ module polar (
     wire [12:0] states_8_store_5 = next_3;  // polar.h:258
     wire [11:0] states_8_store_6 = chosen_8;  // polar.h:258
     wire [12:0] states_8_store_7 = sum_14;  // polar.h:258
-    wire states_8_store_8 = test_15;  // polar.h:258
+    wire states_8_store_8 = test_14;  // polar.h:258
     wire [88:0] states_8_store_word = {states_8_store_8_s4, states_8_store_7_s4, states_8_store_6_s4, states_8_store_5_s4, states_8_store_4_s4, states_8_store_3_s4, states_8_store_2_s4, states_8_store_1, states_8_store_0_s4};  // polar.h:258
-    wire [11:0] next_7 = both_26_s3 ? step_3_s3 : next;  // polar.h:258
-    wire both_51 = both_11 & test_4;  // polar.h:258
-    wire test_32 = sum_7_s1 < shifted_2;  // polar.h:261
-    wire test_33 = sum_3_q == {2'd0, sum_8};  // polar.h:261
-    wire [11:0] chosen_25 = test_32_s3 ? 12'd0 : next_7;  // polar.h:262
+    wire [11:0] next_7 = both_27_s3 ? step_3_s3 : next;  // polar.h:258
+    wire both_52 = both_12 & differs;  // polar.h:258
+    wire test_31 = sum_7_s1 < shifted_2;  // polar.h:261
+    wire test_32 = sum_3_q == {2'd0, sum_8};  // polar.h:261
+    wire [11:0] chosen_25 = test_31_s3 ? 12'd0 : next_7;  // polar.h:262
     wire [19:0] shifted_17 = {chosen_25, 8'd0};  // polar.h:262
     wire [19:0] either_15 = shifted_17_s4 | {12'd0, sum_8_s4};  // polar.h:262
-    wire [20:0] chosen_26 = test_33 ? 21'd1048576 : 21'd0;  // polar.h:262
+    wire [20:0] chosen_26 = test_32 ? 21'd1048576 : 21'd0;  // polar.h:262
     wire [20:0] either_16 = {1'd0, either_15} | chosen_26_s4;  // polar.h:262
-    wire test_34 = at_3 == sum_2_q;  // raster.h:18
-    wire [11:0] sum_20 = at_3 + 12'd1;  // raster.h:21
-    wire [11:0] at_4 = at_2 + {11'd0, test_34};  // raster.h:21
-    wire [11:0] at_5 = test_34 ? 12'd0 : sum_20;  // raster.h:21
+    wire test_33 = at_6 != sum_2_q;  // raster.h:23
+    wire both_53 = either & test_33;  // polar.h:262
+    wire [11:0] sum_20 = at_6 + 12'd1;  // raster.h:32
+    wire test_34 = at_5 != at_2_q;
+    wire both_54 = at_4 & test_34;  // raster.h:28
+    wire at_7 = both_53 ? at_4 : both_54;  // polar.h:262
+    wire differs_8 = ~both_53;  // polar.h:262
+    wire [11:0] at_8 = at_5 + {11'd0, differs_8};  // polar.h:262
+    wire [11:0] at_9 = both_53 ? sum_20 : 12'd0;  // polar.h:262
 
     // polar.h:268:12: for_3
 
@@ -456,8 +464,8 @@ module polar (
     // memory states: 128 x 89
 
     assign stall = ((state == S_FOR_3) & ~contacts_full_n) | ((state == S_IF_2) & ~counts_full_n);
-    assign for_2_ce = ~((for_2_active[5] & both_47 & ~contacts_full_n) | (for_2_active[4] & both_51_s4 & ~counts_full_n));
-    assign for_2_front_ce = for_2_ce & ~((for_2_active[0] & differs & ~mask_empty_n));
+    assign for_2_ce = ~((for_2_active[5] & both_48 & ~contacts_full_n) | (for_2_active[4] & both_52_s4 & ~counts_full_n));
+    assign for_2_front_ce = for_2_ce & ~((for_2_active[0] & at_4 & ~mask_empty_n));
 
 
     assign lines_address0 = value_20;
@@ -501,13 +509,13 @@ module polar (
             states_words[states_index] = 89'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if (for_2_active[4] & for_2_ce & both_25_s4) states_words[value_20_s4] <= states_8_store_word;
+        if (for_2_active[4] & for_2_ce & both_26_s4) states_words[value_20_s4] <= states_8_store_word;
         if (for_2_active[0] & for_2_front_ce) states_read <= states_words[value_20];
     end
-    assign mask_read = (for_2_active[0] & for_2_front_ce & differs);
-    assign contacts_write = (for_2_active[5] & for_2_ce & both_47) | ((state == S_FOR_3) & ~stall);
-    assign contacts_din = (for_2_active[5] & both_47) ? {1'd0, either_14_s5} : 47'h400000000000;
-    assign counts_write = ((state == S_IF_2) & ~stall) | (for_2_active[4] & for_2_ce & both_51_s4);
+    assign mask_read = (for_2_active[0] & for_2_front_ce & at_4);
+    assign contacts_write = (for_2_active[5] & for_2_ce & both_48) | ((state == S_FOR_3) & ~stall);
+    assign contacts_din = (for_2_active[5] & both_48) ? {1'd0, either_14_s5} : 47'h400000000000;
+    assign counts_write = ((state == S_IF_2) & ~stall) | (for_2_active[4] & for_2_ce & both_52_s4);
     assign counts_din = ((state == S_IF_2)) ? 21'd1048576 : either_16;
 
     assign ap_idle = (state == S_IDLE);
@@ -529,8 +537,9 @@ module polar (
         if (for_2_active[0] & for_2_front_ce) taps_2 <= taps_3;
         if (for_2_active[0] & for_2_front_ce) taps_3 <= taps_4;
         if (for_2_active[0] & for_2_front_ce) taps_4 <= pixel;
-        if (for_2_active[0] & for_2_front_ce) at_2 <= at_4;
-        if (for_2_active[0] & for_2_front_ce) at_3 <= at_5;
+        if (for_2_active[0] & for_2_front_ce) at_4 <= at_7;
+        if (for_2_active[0] & for_2_front_ce) at_5 <= at_8;
+        if (for_2_active[0] & for_2_front_ce) at_6 <= at_9;
         if (for_2_active[0] & for_2_front_ce) high_before <= chosen_4;
         case (state)
             S_IDLE: if (ap_start) begin
@@ -553,8 +562,9 @@ module polar (
                 taps_2 <= 2'd0;
                 taps_3 <= 2'd0;
                 taps_4 <= 2'd0;
-                at_2 <= 12'd0;
-                at_3 <= 12'd0;
+                at_4 <= at_3;
+                at_5 <= 12'd0;
+                at_6 <= 12'd0;
                 high_before <= 12'd0;
             end
             S_FOR_2: if (for_2_active[5] & for_2_ce & ~either_s5) begin
@@ -577,18 +587,19 @@ module polar (
         if ((state == S_ENTRY) & ~stall) tail_q <= tail;
         if ((state == S_ZN9AP_DETAIL6LARGEREII) & ~stall) sum_2_q <= sum_2;
         if ((state == S_ZN9AP_DETAIL6LARGEREII) & ~stall) at_q <= at;
+        if ((state == S_ZN9AP_DETAIL6LARGEREII) & ~stall) at_2_q <= at_2;
         if ((state == S_ZN9AP_DETAIL6LARGEREII) & ~stall) sum_3_q <= sum_3;
         if (for_2_front_ce) begin
-            test_4_s1 <= test_4;
+            differs_s1 <= differs;
             either_s1 <= either;
             sum_7_s1 <= sum_7;
-            both_8_s1 <= both_8;
-            both_11_s1 <= both_11;
+            both_9_s1 <= both_9;
+            both_12_s1 <= both_12;
             sum_8_s1 <= sum_8;
             value_20_s1 <= value_20;
             chosen_20_s1 <= chosen_20;
             value_61_s1 <= value_61;
-            both_51_s1 <= both_51;
+            both_52_s1 <= both_52;
             chosen_26_s1 <= chosen_26;
         end
         if (for_2_ce) begin
@@ -598,8 +609,8 @@ module polar (
             either_s5 <= either_s4;
             sum_7_s2 <= sum_7_s1;
             sum_7_s3 <= sum_7_s2;
-            both_8_s2 <= both_8_s1;
-            both_11_s2 <= both_11_s1;
+            both_9_s2 <= both_9_s1;
+            both_12_s2 <= both_12_s1;
             sum_8_s2 <= sum_8_s1;
             sum_8_s3 <= sum_8_s2;
             sum_8_s4 <= sum_8_s3;
@@ -622,35 +633,35 @@ module polar (
             step_3_s3 <= step_3_s2;
             step_4_s2 <= step_4;
             step_4_s3 <= step_4_s2;
-            test_13_s2 <= test_13;
+            test_12_s2 <= test_12;
             run_2_s2 <= run_2;
             difference_s2 <= difference;
             sum_11_s2 <= sum_11;
-            test_15_s2 <= test_15;
+            test_14_s2 <= test_14;
             differs_5_s2 <= differs_5;
             value_33_s2 <= value_33;
             difference_2_s2 <= difference_2;
-            both_25_s2 <= both_25;
-            both_25_s3 <= both_25_s2;
-            both_25_s4 <= both_25_s3;
             both_26_s2 <= both_26;
             both_26_s3 <= both_26_s2;
-            both_29_s3 <= both_29;
-            test_23_s2 <= test_23;
-            test_23_s3 <= test_23_s2;
+            both_26_s4 <= both_26_s3;
+            both_27_s2 <= both_27;
+            both_27_s3 <= both_27_s2;
+            both_30_s3 <= both_30;
+            test_22_s2 <= test_22;
+            test_22_s3 <= test_22_s2;
             either_6_s2 <= either_6;
             either_6_s3 <= either_6_s2;
             either_6_s4 <= either_6_s3;
-            both_31_s2 <= both_31;
-            both_31_s3 <= both_31_s2;
-            test_25_s2 <= test_25;
-            test_25_s3 <= test_25_s2;
+            both_32_s2 <= both_32;
+            both_32_s3 <= both_32_s2;
+            test_24_s2 <= test_24;
+            test_24_s3 <= test_24_s2;
             chosen_17_s2 <= chosen_17;
             chosen_17_s3 <= chosen_17_s2;
             sum_18_s2 <= sum_18;
             sum_18_s3 <= sum_18_s2;
-            both_37_s2 <= both_37;
-            both_37_s3 <= both_37_s2;
+            both_38_s2 <= both_38;
+            both_38_s3 <= both_38_s2;
             chosen_19_s4 <= chosen_19;
             next_2_s4 <= next_2;
             difference_5_s4 <= difference_5;
@@ -664,16 +675,16 @@ module polar (
             value_61_s3 <= value_61_s2;
             value_61_s4 <= value_61_s3;
             product_2_s4 <= product_2;
-            test_31_s4 <= test_31;
+            test_30_s4 <= test_30;
             chosen_22_s5 <= chosen_22;
-            both_46_s5 <= both_46;
+            both_47_s5 <= both_47;
             either_12_s4 <= either_12;
             either_14_s5 <= either_14;
-            both_51_s2 <= both_51_s1;
-            both_51_s3 <= both_51_s2;
-            both_51_s4 <= both_51_s3;
-            test_32_s2 <= test_32;
-            test_32_s3 <= test_32_s2;
+            both_52_s2 <= both_52_s1;
+            both_52_s3 <= both_52_s2;
+            both_52_s4 <= both_52_s3;
+            test_31_s2 <= test_31;
+            test_31_s3 <= test_31_s2;
             shifted_17_s4 <= shifted_17;
             chosen_26_s2 <= chosen_26_s1;
             chosen_26_s3 <= chosen_26_s2;

@@ -29,29 +29,32 @@ module roi (
     localparam [1:0] S_DONE = 2'd3;
     reg [1:0] state;
 
-    reg [11:0] at_2;
-    reg [11:0] at_3;
+    reg [11:0] at_4;
+    reg [11:0] at_5;
     reg for_3_active;  // stages at work
     reg [11:0] at_q;
+    reg [11:0] at_2_q;
 
     wire stall;
     wire for_3_ce;
 
-    // raster.h:16:71: entry
-    wire [11:0] at = width + 12'd4095;  // raster.h:16
-    wire test = height == 12'd0;  // roi.h:18
+    // raster.h:21:39: entry
+    wire [11:0] at = width + 12'd4095;  // raster.h:21
+    wire [11:0] at_2 = height + 12'd4095;  // raster.h:21
+    wire at_3 = height == 12'd0;  // raster.h:21
 
     // roi.h:18:3: loop for_3, II = 1, 1 stage
     wire [1:0] in_data = in_dout;  // roi.h:21
-    wire test_2 = at_2 >= first_row;  // roi.h:22
-    wire test_3 = at_2 <= last_row;
-    wire both = test_2 & test_3;  // roi.h:22
-    wire [1:0] chosen = both ? in_data : 2'd0;  // roi.h:22
-    wire test_4 = at_3 == at_q;  // raster.h:18
-    wire [11:0] sum = at_3 + 12'd1;  // raster.h:21
-    wire [11:0] at_4 = test_4 ? 12'd0 : sum;  // raster.h:21
-    wire [11:0] at_5 = at_2 + {11'd0, test_4};  // raster.h:21
-    wire test_5 = at_5 < height;  // roi.h:18
+    wire test = at_4 >= first_row;  // roi.h:22
+    wire test_2 = at_4 <= last_row;
+    wire both_2 = test & test_2;  // roi.h:22
+    wire [1:0] chosen = both_2 ? in_data : 2'd0;  // roi.h:22
+    wire test_3 = at_5 == at_q;  // raster.h:23
+    wire test_4 = at_4 == at_2_q;  // raster.h:27
+    wire [11:0] sum = at_5 + 12'd1;  // raster.h:27
+    wire [11:0] at_6 = test_3 ? 12'd0 : sum;  // raster.h:27
+    wire [11:0] at_7 = at_4 + {11'd0, test_3};  // raster.h:27
+    wire at_8 = test_3 & test_4;  // roi.h:18
 
     assign stall = 1'b0;
     assign for_3_ce = ~((for_3_active & ~in_empty_n) | (for_3_active & ~out_full_n));
@@ -66,25 +69,25 @@ module roi (
 
     always @(posedge clk) begin
         if (for_3_ce) begin
-            for_3_active <= for_3_active & test_5;
+            for_3_active <= for_3_active & ~at_8;
         end
-        if (for_3_active & for_3_ce) at_2 <= at_5;
-        if (for_3_active & for_3_ce) at_3 <= at_4;
+        if (for_3_active & for_3_ce) at_4 <= at_7;
+        if (for_3_active & for_3_ce) at_5 <= at_6;
         case (state)
             S_IDLE: if (ap_start) begin
                 state <= S_ENTRY;
             end
             S_ENTRY: if (~stall) begin
-                if (test) begin
+                if (at_3) begin
                     state <= S_DONE;
                 end else begin
                     state <= S_FOR_3;
                     for_3_active <= 1'b1;
-                    at_2 <= 12'd0;
-                    at_3 <= 12'd0;
+                    at_4 <= 12'd0;
+                    at_5 <= 12'd0;
                 end
             end
-            S_FOR_3: if (for_3_active & for_3_ce & ~test_5) begin
+            S_FOR_3: if (for_3_active & for_3_ce & at_8) begin
                 state <= S_DONE;
             end
             S_DONE: if (ap_continue) state <= S_IDLE;
@@ -98,6 +101,7 @@ module roi (
 
     always @(posedge clk) begin
         if ((state == S_ENTRY) & ~stall) at_q <= at;
+        if ((state == S_ENTRY) & ~stall) at_2_q <= at_2;
     end
 
 endmodule
