@@ -68,11 +68,11 @@ void displacement(hls::stream<Change>& in, hls::stream<ap_uint<1> >& out, Size w
   ap_int<24> bound = parameters.bound;
   // Row `height` holds no pixels, just the end of the last row's windows.
 PIXELS:
-  for (RasterPosition at(width); at.v < height || (at.v == height && at.u < REACH); at.advance()) {
+  for (RasterPosition at(width, height); at.inside || (at.v == height && at.u < REACH); at.advance()) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT + REACH
     Change change = {0, 0};
-    if (at.v < height) change = in.read();
+    if (at.inside) change = in.read();
     const Sum moved = differences.take(above(change.difference, parameters.noise), at.u);
     const Sum texture = gradients.take(above(change.gradient, parameters.noise), at.u);
     const ap_int<29> scaled = ap_int<29>(moved) << 16;  // as the bound

@@ -68,7 +68,6 @@ module cluster (
     reg [33:0] product_q;
     reg test_q;
     reg [94:0] points_data_q;
-    reg [6:0] value_10_s1;
     reg test_3_s2;
     reg [34:0] sum_2_s1;
     reg [34:0] sum_3_s2;
@@ -80,7 +79,7 @@ module cluster (
     reg [23:0] shifted_9_s1;
     reg shifted_10_s1;
     reg point_22_s1;
-    reg [6:0] value_25_s1;
+    reg [7:0] value_25_s1;
     reg [12:0] candidates_0_data_s2;
     reg [11:0] candidates_1_data_s2;
     reg [11:0] candidates_2_data_s2;
@@ -106,9 +105,9 @@ module cluster (
     reg [34:0] product_10_s2;
     reg [34:0] product_11_s2;
     reg [7:0] chosen_4_s3;
+    reg [7:0] chosen_5_s4;
     reg [7:0] here_3_s4;
     reg both_5_s4;
-    reg [6:0] value_47_s4;
     reg [23:0] candidates_3_data_3_s5;
     reg [23:0] candidates_4_data_3_s5;
     reg [34:0] sum_7_s2;
@@ -139,7 +138,7 @@ module cluster (
     wire test = line_count == 9'd0;  // cluster.h:88
 
     // cluster.h:88:3: loop for_3, II = 1, 1 stage
-    wire [6:0] value_3 = line[6:0];  // cluster.h:92
+    wire [7:0] value_3 = line[7:0];  // cluster.h:92
     wire [12:0] candidates_7_store_0 = 13'd0;  // cluster.h:92
     wire [11:0] candidates_7_store_1 = 12'd0;  // cluster.h:92
     wire [11:0] candidates_7_store_2 = 12'd0;  // cluster.h:92
@@ -166,7 +165,6 @@ module cluster (
     wire [7:0] point_8 = points_data_q[7:0];  // cluster.h:95
 
     // cluster.h:97:3: loop while_3, II = 3, 3 stages
-    wire [6:0] value_10 = point_15[6:0];  // cluster.h:98
     wire [102:0] candidates_7_data_element = candidates_q;  // cluster.h:98
     wire [8:0] candidates_7_data_7_above = candidates_7_data_element[102:94];  // cluster.h:98
     wire [8:0] candidates_7_data_7_part = candidates_7_data_7_above;  // cluster.h:98
@@ -216,7 +214,7 @@ module cluster (
     // cluster.h:112:3: for_7
 
     // cluster.h:112:3: loop for_9, II = 6, 7 stages
-    wire [6:0] value_25 = line_3[6:0];  // cluster.h:114
+    wire [7:0] value_25 = line_3[7:0];  // cluster.h:114
     wire [102:0] candidates_0_data_element = candidates_q;  // cluster.h:114
     wire [12:0] candidates_0_data_0_part = candidates_0_data_element[12:0];  // cluster.h:114
     wire [12:0] candidates_0_data = candidates_0_data_0_part;  // cluster.h:114
@@ -288,7 +286,6 @@ module cluster (
     wire [7:0] here_3 = test_5_s2 ? chosen_5 : value_28_s1;  // cluster.h:70
     wire test_9 = line_3 != {1'd0, here_3};
     wire both_5 = test_5_s2 & test_9;  // cluster.h:119
-    wire [6:0] value_47 = chosen_5[6:0];  // cluster.h:120
     wire [102:0] candidates_3_data_3_element = candidates_q;  // cluster.h:120
     wire [65:0] candidates_3_data_3_3_above = candidates_3_data_3_element[102:37];  // cluster.h:120
     wire [23:0] candidates_3_data_3_3_part = candidates_3_data_3_3_above[23:0];  // cluster.h:120
@@ -353,7 +350,7 @@ module cluster (
     wire test_11 = sum_10 < line_count;  // cluster.h:112
 
     // cluster.h:135:3: loop for_11, II = 1, 2 stages
-    wire [6:0] value_55 = line_4[6:0];  // cluster.h:137
+    wire [7:0] value_55 = line_4[7:0];  // cluster.h:137
     wire [102:0] candidates_7_data_4_element = candidates_q;  // cluster.h:137
     wire [8:0] candidates_7_data_4_7_above = candidates_7_data_4_element[102:94];  // cluster.h:137
     wire [8:0] candidates_7_data_4_7_part = candidates_7_data_4_7_above;  // cluster.h:137
@@ -401,7 +398,7 @@ module cluster (
 
     // cluster.h:145:13: for_13
 
-    // memory candidates: 128 x 103
+    // memory candidates: 256 x 103
 
     assign stall = ((state == S_FOR_5) & ~points_empty_n) | ((state == S_FOR_13) & ~obstacles_full_n);
     assign for_3_ce = 1'b1;
@@ -410,18 +407,18 @@ module cluster (
     assign for_11_ce = ~((for_11_active[1] & both_10 & ~obstacles_full_n));
 
 
-    reg [102:0] candidates_words [0:127];
+    reg [102:0] candidates_words [0:255];
     reg [102:0] candidates_read;
     assign candidates_q = candidates_read;
     // synthesis translate_off
     integer candidates_index;
     initial
-        for (candidates_index = 0; candidates_index < 128; candidates_index = candidates_index + 1)
+        for (candidates_index = 0; candidates_index < 256; candidates_index = candidates_index + 1)
             candidates_words[candidates_index] = 103'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if ((for_3_active & for_3_ce) | (while_3_active[2] & while_3_ce & either) | (for_9_active[5] & for_9_ce & both_5_s4) | (for_9_active[6] & for_9_ce & both_5_s4)) candidates_words[for_3_active ? value_3 : while_3_active[2] & either ? value_10_s1 : for_9_active[5] & both_5_s4 ? value_47_s4 : value_25_s1] <= for_3_active ? candidates_7_store_word : while_3_active[2] & either ? candidates_7_store_2_word_s1 : for_9_active[5] & both_5_s4 ? candidates_7_store_3_word : candidates_7_store_4_word_s2;
-        if ((while_3_active[0] & while_3_ce) | (for_9_active[0] & for_9_ce) | (for_9_active[3] & for_9_ce) | (for_11_active[0] & for_11_ce)) candidates_read <= candidates_words[while_3_active[0] ? value_10 : for_9_active[0] ? value_25 : for_9_active[3] ? value_47 : value_55];
+        if ((for_3_active & for_3_ce) | (while_3_active[2] & while_3_ce & either) | (for_9_active[5] & for_9_ce & both_5_s4) | (for_9_active[6] & for_9_ce & both_5_s4)) candidates_words[for_3_active ? value_3 : while_3_active[2] & either ? point_15 : for_9_active[5] & both_5_s4 ? chosen_5_s4 : value_25_s1] <= for_3_active ? candidates_7_store_word : while_3_active[2] & either ? candidates_7_store_2_word_s1 : for_9_active[5] & both_5_s4 ? candidates_7_store_3_word : candidates_7_store_4_word_s2;
+        if ((while_3_active[0] & while_3_ce) | (for_9_active[0] & for_9_ce) | (for_9_active[3] & for_9_ce) | (for_11_active[0] & for_11_ce)) candidates_read <= candidates_words[while_3_active[0] ? point_15 : for_9_active[0] ? value_25 : for_9_active[3] ? chosen_5 : value_55];
     end
     assign points_read = ((state == S_FOR_5) & ~stall) | (while_3_active[0] & while_3_ce);
     assign obstacles_write = (for_11_active[1] & for_11_ce & both_10) | ((state == S_FOR_13) & ~stall);
@@ -560,8 +557,11 @@ module cluster (
         if ((state == S_ENTRY) & ~stall) product_q <= product;
         if ((state == S_ENTRY) & ~stall) test_q <= test;
         if ((state == S_FOR_5) & ~stall) points_data_q <= points_data;
+        if (while_3_active[1] & while_3_ce) begin
+            test_3_s2 <= test_3;
+            sum_3_s2 <= sum_3;
+        end
         if (while_3_active[0] & while_3_ce) begin
-            value_10_s1 <= value_10;
             sum_2_s1 <= sum_2;
             line_2_s1 <= line_2;
             shifted_5_s1 <= shifted_5;
@@ -572,10 +572,6 @@ module cluster (
             shifted_10_s1 <= shifted_10;
             point_22_s1 <= point_22;
             candidates_7_store_2_word_s1 <= candidates_7_store_2_word;
-        end
-        if (while_3_active[1] & while_3_ce) begin
-            test_3_s2 <= test_3;
-            sum_3_s2 <= sum_3;
         end
         if (for_9_active[0] & for_9_ce) begin
             value_25_s1 <= value_25;
@@ -616,9 +612,9 @@ module cluster (
             chosen_4_s3 <= chosen_4;
         end
         if (for_9_active[3] & for_9_ce) begin
+            chosen_5_s4 <= chosen_5;
             here_3_s4 <= here_3;
             both_5_s4 <= both_5;
-            value_47_s4 <= value_47;
         end
         if (for_9_active[4] & for_9_ce) begin
             candidates_3_data_3_s5 <= candidates_3_data_3;

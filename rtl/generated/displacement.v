@@ -63,84 +63,90 @@ module displacement (
     reg [11:0] gradients_15;
     reg [11:0] gradients_16;
     reg [23:0] bound;
-    reg [11:0] at_2;
-    reg [11:0] at_3;
+    reg [11:0] at_4;
+    reg [11:0] at_5;
+    reg at_6;
     reg [2:0] for_2_active;  // stages at work
     reg [11:0] at_q;
+    reg [11:0] at_2_q;
     reg either_s1;
     reg either_s2;
-    reg both_3_s1;
-    reg both_3_s2;
+    reg both_4_s1;
+    reg both_4_s2;
     reg [11:0] chosen_4_s1;
     reg [11:0] chosen_5_s1;
     reg [11:0] chosen_6_s1;
     reg [11:0] chosen_7_s1;
     reg [23:0] value_15_s1;
-    reg test_10_s2;
+    reg test_9_s2;
 
     wire stall;
     wire for_2_ce;
     wire for_2_front_ce;
 
     // displacement.h:68:33: entry
-    wire [11:0] at = width + 12'd4095;  // raster.h:16
+    wire [11:0] at = width + 12'd4095;  // raster.h:21
+    wire [11:0] at_2 = height + 12'd4095;  // raster.h:21
+    wire at_3 = height != 12'd0;  // raster.h:21
 
     // displacement.h:71:3: loop for_2, II = 1, 3 stages
-    wire test = at_3 < height;  // displacement.h:71
-    wire differs = ~test;
-    wire test_2 = at_3 == height;  // displacement.h:71
-    wire test_3 = at_2 < 12'd7;  // displacement.h:71
-    wire both = test_2 & test_3;  // displacement.h:71
-    wire both_2 = differs & both;
-    wire either = test | both;
+    wire differs = ~at_6;
+    wire test = at_5 == height;  // displacement.h:71
+    wire test_2 = at_4 < 12'd7;  // displacement.h:71
+    wire both_2 = test & test_2;  // displacement.h:71
+    wire both_3 = differs & both_2;
+    wire either = at_6 | both_2;
     wire [15:0] in_data = in_dout;  // displacement.h:75
     wire [7:0] value_4 = in_data[7:0];  // displacement.h:75
     wire [7:0] shifted = in_data[15:8];  // displacement.h:75
-    wire [7:0] change = both_2 ? 8'd0 : value_4;  // displacement.h:75
-    wire [7:0] change_2 = both_2 ? 8'd0 : shifted;  // displacement.h:75
+    wire [7:0] change = both_3 ? 8'd0 : value_4;  // displacement.h:75
+    wire [7:0] change_2 = both_3 ? 8'd0 : shifted;  // displacement.h:75
     wire [7:0] difference = change - parameters_noise_V;  // displacement.h:56
-    wire test_4 = change < parameters_noise_V;  // displacement.h:56
-    wire [7:0] chosen = test_4 ? 8'd0 : difference;  // displacement.h:56
-    wire test_5 = at_2 == 12'd0;  // displacement.h:39
-    wire [11:0] chosen_2 = test_5 ? differences_16 : differences_2;  // displacement.h:39
+    wire test_3 = change < parameters_noise_V;  // displacement.h:56
+    wire [7:0] chosen = test_3 ? 8'd0 : difference;  // displacement.h:56
+    wire test_4 = at_4 == 12'd0;  // displacement.h:39
+    wire [11:0] chosen_2 = test_4 ? differences_16 : differences_2;  // displacement.h:39
     wire [11:0] sum = differences_16 + {4'd0, chosen};  // displacement.h:40
-    wire test_6 = at_2 > 12'd6;  // displacement.h:43
+    wire test_5 = at_4 > 12'd6;  // displacement.h:43
     wire [7:0] difference_2 = change_2 - parameters_noise_V;  // displacement.h:56
-    wire test_7 = change_2 < parameters_noise_V;  // displacement.h:56
-    wire [7:0] chosen_3 = test_7 ? 8'd0 : difference_2;  // displacement.h:56
-    wire [11:0] gradients_17 = test_5 ? gradients_16 : gradients_2;  // displacement.h:39
+    wire test_6 = change_2 < parameters_noise_V;  // displacement.h:56
+    wire [7:0] chosen_3 = test_6 ? 8'd0 : difference_2;  // displacement.h:56
+    wire [11:0] gradients_17 = test_4 ? gradients_16 : gradients_2;  // displacement.h:39
     wire [11:0] sum_2 = gradients_16 + {4'd0, chosen_3};  // displacement.h:40
-    wire test_8 = at_3 != 12'd0;  // displacement.h:79
-    wire either_2 = test_8 | test_6;  // displacement.h:79
-    wire both_3 = either & either_2;  // displacement.h:75
-    wire [11:0] sum_3 = at_2 + 12'd4089;  // displacement.h:43
-    wire test_9 = sum_3 < 12'd8;  // displacement.h:43
-    wire [11:0] chosen_4 = test_9 ? gradients_17 : gradients;  // displacement.h:43
-    wire [11:0] chosen_5 = test_3 ? gradients_17 : sum_2;  // displacement.h:42
-    wire [11:0] chosen_6 = test_3 ? chosen_2 : sum;  // displacement.h:42
-    wire [11:0] chosen_7 = test_9 ? chosen_2 : differences;  // displacement.h:43
+    wire test_7 = at_5 != 12'd0;  // displacement.h:79
+    wire either_2 = test_7 | test_5;  // displacement.h:79
+    wire both_4 = either & either_2;  // displacement.h:75
+    wire [11:0] sum_3 = at_4 + 12'd4089;  // displacement.h:43
+    wire test_8 = sum_3 < 12'd8;  // displacement.h:43
+    wire [11:0] chosen_4 = test_8 ? gradients_17 : gradients;  // displacement.h:43
+    wire [11:0] chosen_5 = test_2 ? gradients_17 : sum_2;  // displacement.h:42
+    wire [11:0] chosen_6 = test_2 ? chosen_2 : sum;  // displacement.h:42
+    wire [11:0] chosen_7 = test_8 ? chosen_2 : differences;  // displacement.h:43
     wire [11:0] difference_3 = chosen_6_s1 - chosen_7_s1;  // displacement.h:50
     wire [27:0] shifted_2 = {difference_3, 16'd0};  // displacement.h:78
     wire [11:0] difference_4 = chosen_5_s1 - chosen_4_s1;  // displacement.h:50
     wire [23:0] value_15 = bound;  // displacement.h:79
     wire [35:0] product = $signed(value_15_s1) * $signed({1'd0, difference_4});  // displacement.h:79
-    wire test_10 = $signed(product) < $signed({8'd0, shifted_2});  // displacement.h:79
-    wire test_11 = at_2 == 12'd6;
-    wire both_4 = test_8 & test_11;  // displacement.h:80
-    wire [23:0] chosen_8 = both_4 ? parameters_bound_step_V : 24'd0;  // displacement.h:80
+    wire test_9 = $signed(product) < $signed({8'd0, shifted_2});  // displacement.h:79
+    wire test_10 = at_4 == 12'd6;
+    wire both_5 = test_7 & test_10;  // displacement.h:80
+    wire [23:0] chosen_8 = both_5 ? parameters_bound_step_V : 24'd0;  // displacement.h:80
     wire [23:0] bound_2 = bound + chosen_8;  // displacement.h:80
-    wire test_12 = at_2 == at_q;  // raster.h:18
-    wire [11:0] sum_4 = at_2 + 12'd1;  // raster.h:21
-    wire [11:0] at_4 = test_12 ? 12'd0 : sum_4;  // raster.h:21
-    wire [11:0] at_5 = at_3 + {11'd0, test_12};  // raster.h:21
+    wire test_11 = at_4 == at_q;  // raster.h:23
+    wire test_12 = at_5 != at_2_q;  // raster.h:27
+    wire both_6 = at_6 & test_12;  // raster.h:27
+    wire [11:0] sum_4 = at_4 + 12'd1;  // raster.h:27
+    wire [11:0] at_7 = test_11 ? 12'd0 : sum_4;  // raster.h:27
+    wire [11:0] at_8 = at_5 + {11'd0, test_11};  // raster.h:27
+    wire at_9 = test_11 ? both_6 : at_6;  // raster.h:27
 
     assign stall = 1'b0;
-    assign for_2_ce = ~((for_2_active[2] & both_3_s2 & ~out_full_n));
-    assign for_2_front_ce = for_2_ce & ~((for_2_active[0] & test & ~in_empty_n));
+    assign for_2_ce = ~((for_2_active[2] & both_4_s2 & ~out_full_n));
+    assign for_2_front_ce = for_2_ce & ~((for_2_active[0] & at_6 & ~in_empty_n));
 
-    assign in_read = (for_2_active[0] & for_2_front_ce & test);
-    assign out_write = (for_2_active[2] & for_2_ce & both_3_s2);
-    assign out_din = test_10_s2;
+    assign in_read = (for_2_active[0] & for_2_front_ce & at_6);
+    assign out_write = (for_2_active[2] & for_2_ce & both_4_s2);
+    assign out_din = test_9_s2;
 
     assign ap_idle = (state == S_IDLE);
     assign ap_done = (state == S_DONE);
@@ -187,8 +193,9 @@ module displacement (
         if (for_2_active[0] & for_2_front_ce) gradients_15 <= gradients_16;
         if (for_2_active[0] & for_2_front_ce) gradients_16 <= sum_2;
         if (for_2_active[0] & for_2_front_ce) bound <= bound_2;
-        if (for_2_active[0] & for_2_front_ce) at_2 <= at_4;
-        if (for_2_active[0] & for_2_front_ce) at_3 <= at_5;
+        if (for_2_active[0] & for_2_front_ce) at_4 <= at_7;
+        if (for_2_active[0] & for_2_front_ce) at_5 <= at_8;
+        if (for_2_active[0] & for_2_front_ce) at_6 <= at_9;
         case (state)
             S_IDLE: if (ap_start) begin
                 state <= S_ENTRY;
@@ -229,8 +236,9 @@ module displacement (
                 gradients_15 <= 12'd0;
                 gradients_16 <= 12'd0;
                 bound <= parameters_bound_V;
-                at_2 <= 12'd0;
-                at_3 <= 12'd0;
+                at_4 <= 12'd0;
+                at_5 <= 12'd0;
+                at_6 <= at_3;
             end
             S_FOR_2: if (for_2_active[2] & for_2_ce & ~either_s2) begin
                 state <= S_DONE;
@@ -246,9 +254,10 @@ module displacement (
 
     always @(posedge clk) begin
         if ((state == S_ENTRY) & ~stall) at_q <= at;
+        if ((state == S_ENTRY) & ~stall) at_2_q <= at_2;
         if (for_2_front_ce) begin
             either_s1 <= either;
-            both_3_s1 <= both_3;
+            both_4_s1 <= both_4;
             chosen_4_s1 <= chosen_4;
             chosen_5_s1 <= chosen_5;
             chosen_6_s1 <= chosen_6;
@@ -257,8 +266,8 @@ module displacement (
         end
         if (for_2_ce) begin
             either_s2 <= either_s1;
-            both_3_s2 <= both_3_s1;
-            test_10_s2 <= test_10;
+            both_4_s2 <= both_4_s1;
+            test_9_s2 <= test_9;
         end
     end
 

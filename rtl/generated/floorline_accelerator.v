@@ -28,7 +28,6 @@ module floorline_accelerator (
     input wire [11:0] parameters_height_V,
     input wire parameters_grey_V,
     input wire parameters_replace_reference_V,
-    input wire parameters_tolerant_V,
     input wire parameters_erode_high_V,
     input wire [11:0] parameters_roi_first_row_V,
     input wire [11:0] parameters_roi_last_row_V,
@@ -44,6 +43,9 @@ module floorline_accelerator (
     input wire [31:0] parameters_homography_zu_V,
     input wire [31:0] parameters_homography_zv_V,
     input wire [31:0] parameters_homography_z1_V,
+    input wire [7:0] parameters_displacement_noise_V,
+    input wire [23:0] parameters_displacement_bound_V,
+    input wire [23:0] parameters_displacement_bound_step_V,
     input wire [7:0] parameters_threshold_floor_V,
     input wire [7:0] parameters_threshold_override_high_V,
     input wire [7:0] parameters_threshold_low_V,
@@ -61,7 +63,7 @@ module floorline_accelerator (
     input wire [31:0] parameters_birdseye_zu_V,
     input wire [31:0] parameters_birdseye_zv_V,
     input wire [31:0] parameters_birdseye_z1_V,
-    output wire [6:0] lines_address0,
+    output wire [7:0] lines_address0,
     output wire lines_ce0,
     input wire [110:0] lines_q0
 );
@@ -92,11 +94,11 @@ module floorline_accelerator (
         .m_ready(luma_out_read)
     );
 
-    // pairs: 2 x 33
-    wire [32:0] pairs_din, pairs_dout;
+    // pairs: 2 x 25
+    wire [24:0] pairs_din, pairs_dout;
     wire pairs_full_n, pairs_write, pairs_empty_n, pairs_read;
     fifo #(
-        .WIDTH(33),
+        .WIDTH(25),
         .DEPTH(2)
     ) pairs_fifo (
         .clk(ap_clk),
@@ -143,6 +145,40 @@ module floorline_accelerator (
         .m_data(difference_out_dout),
         .m_valid(difference_out_empty_n),
         .m_ready(difference_out_read)
+    );
+
+    // changes: 2 x 16
+    wire [15:0] changes_din, changes_dout;
+    wire changes_full_n, changes_write, changes_empty_n, changes_read;
+    fifo #(
+        .WIDTH(16),
+        .DEPTH(2)
+    ) changes_fifo (
+        .clk(ap_clk),
+        .rst(rst),
+        .s_data(changes_din),
+        .s_valid(changes_write),
+        .s_ready(changes_full_n),
+        .m_data(changes_dout),
+        .m_valid(changes_empty_n),
+        .m_ready(changes_read)
+    );
+
+    // moves: 4096 x 1
+    wire moves_din, moves_dout;
+    wire moves_full_n, moves_write, moves_empty_n, moves_read;
+    fifo #(
+        .WIDTH(1),
+        .DEPTH(4096)
+    ) moves_fifo (
+        .clk(ap_clk),
+        .rst(rst),
+        .s_data(moves_din),
+        .s_valid(moves_write),
+        .s_ready(moves_full_n),
+        .m_data(moves_dout),
+        .m_valid(moves_empty_n),
+        .m_ready(moves_read)
     );
 
     // blurred: 2 x 8
@@ -373,7 +409,11 @@ module floorline_accelerator (
     wire [31:0] frame_ring_homography_z1_V;
     wire [11:0] difference_width;
     wire [11:0] difference_height;
-    wire difference_tolerant;
+    wire [11:0] displacement_width;
+    wire [11:0] displacement_height;
+    wire [7:0] displacement_parameters_noise_V;
+    wire [23:0] displacement_parameters_bound_V;
+    wire [23:0] displacement_parameters_bound_step_V;
     wire [11:0] gaussian_width;
     wire [11:0] gaussian_height;
     wire [11:0] otsu_width;
@@ -417,7 +457,6 @@ module floorline_accelerator (
         .parameters_height_V(parameters_height_V),
         .parameters_grey_V(parameters_grey_V),
         .parameters_replace_reference_V(parameters_replace_reference_V),
-        .parameters_tolerant_V(parameters_tolerant_V),
         .parameters_erode_high_V(parameters_erode_high_V),
         .parameters_roi_first_row_V(parameters_roi_first_row_V),
         .parameters_roi_last_row_V(parameters_roi_last_row_V),
@@ -450,7 +489,14 @@ module floorline_accelerator (
         .frame_ring_homography_z1_V(frame_ring_homography_z1_V),
         .difference_width(difference_width),
         .difference_height(difference_height),
-        .difference_tolerant(difference_tolerant),
+        .displacement_width(displacement_width),
+        .displacement_height(displacement_height),
+        .parameters_displacement_noise_V(parameters_displacement_noise_V),
+        .displacement_parameters_noise_V(displacement_parameters_noise_V),
+        .parameters_displacement_bound_V(parameters_displacement_bound_V),
+        .displacement_parameters_bound_V(displacement_parameters_bound_V),
+        .parameters_displacement_bound_step_V(parameters_displacement_bound_step_V),
+        .displacement_parameters_bound_step_V(displacement_parameters_bound_step_V),
         .gaussian_width(gaussian_width),
         .gaussian_height(gaussian_height),
         .otsu_width(otsu_width),
@@ -587,14 +633,14 @@ module floorline_accelerator (
     );
 
     wire difference_start, difference_done, difference_start_free;
-    wire [24:0] difference_scalars;
+    wire [23:0] difference_scalars;
     scalar_fifo #(
-        .WIDTH(25),
+        .WIDTH(24),
         .DEPTH(4)
     ) difference_starts (
         .clk(ap_clk),
         .rst(rst),
-        .s_data({difference_tolerant, difference_height, difference_width}),
+        .s_data({difference_height, difference_width}),
         .s_valid(run_starts),
         .s_ready(difference_start_free),
         .m_data(difference_scalars),
@@ -615,9 +661,47 @@ module floorline_accelerator (
         .out_din(difference_out_din),
         .out_full_n(difference_out_full_n),
         .out_write(difference_out_write),
+        .changes_din(changes_din),
+        .changes_full_n(changes_full_n),
+        .changes_write(changes_write),
         .width(difference_scalars[11:0]),
-        .height(difference_scalars[23:12]),
-        .tolerant(difference_scalars[24])
+        .height(difference_scalars[23:12])
+    );
+
+    wire displacement_start, displacement_done, displacement_start_free;
+    wire [79:0] displacement_scalars;
+    scalar_fifo #(
+        .WIDTH(80),
+        .DEPTH(4)
+    ) displacement_starts (
+        .clk(ap_clk),
+        .rst(rst),
+        .s_data({displacement_parameters_bound_step_V, displacement_parameters_bound_V, displacement_parameters_noise_V, displacement_height, displacement_width}),
+        .s_valid(run_starts),
+        .s_ready(displacement_start_free),
+        .m_data(displacement_scalars),
+        .m_valid(displacement_start),
+        .m_ready(displacement_done)
+    );
+    displacement displacement (
+        .clk(ap_clk),
+        .rst(rst),
+        .ap_start(displacement_start),
+        .ap_continue(1'b1),
+        .ap_done(displacement_done),
+        .ap_idle(),
+        .ap_ready(),
+        .in_dout(changes_dout),
+        .in_empty_n(changes_empty_n),
+        .in_read(changes_read),
+        .out_din(moves_din),
+        .out_full_n(moves_full_n),
+        .out_write(moves_write),
+        .width(displacement_scalars[11:0]),
+        .height(displacement_scalars[23:12]),
+        .parameters_noise_V(displacement_scalars[31:24]),
+        .parameters_bound_V(displacement_scalars[55:32]),
+        .parameters_bound_step_V(displacement_scalars[79:56])
     );
 
     wire gaussian_start, gaussian_done, gaussian_start_free;
@@ -823,6 +907,9 @@ module floorline_accelerator (
         .mask_dout(region_dout),
         .mask_empty_n(region_empty_n),
         .mask_read(region_read),
+        .moves_dout(moves_dout),
+        .moves_empty_n(moves_empty_n),
+        .moves_read(moves_read),
         .contacts_din(contacts_din),
         .contacts_full_n(contacts_full_n),
         .contacts_write(contacts_write),
@@ -962,9 +1049,10 @@ module floorline_accelerator (
     reg [2:0] finished_9;
     reg [2:0] finished_10;
     reg [2:0] finished_11;
+    reg [2:0] finished_12;
     reg [2:0] under_way;
-    assign starts_free = luma_start_free & frame_ring_start_free & difference_start_free & gaussian_start_free & otsu_start_free & binarize_start_free & erode_start_free & roi_start_free & polar_start_free & birdseye_start_free & duplicate_start_free & cluster_start_free & (under_way != 3'd7);
-    wire run_done = (finished_0 != 3'd0) & (finished_1 != 3'd0) & (finished_2 != 3'd0) & (finished_3 != 3'd0) & (finished_4 != 3'd0) & (finished_5 != 3'd0) & (finished_6 != 3'd0) & (finished_7 != 3'd0) & (finished_8 != 3'd0) & (finished_9 != 3'd0) & (finished_10 != 3'd0) & (finished_11 != 3'd0);
+    assign starts_free = luma_start_free & frame_ring_start_free & difference_start_free & displacement_start_free & gaussian_start_free & otsu_start_free & binarize_start_free & erode_start_free & roi_start_free & polar_start_free & birdseye_start_free & duplicate_start_free & cluster_start_free & (under_way != 3'd7);
+    wire run_done = (finished_0 != 3'd0) & (finished_1 != 3'd0) & (finished_2 != 3'd0) & (finished_3 != 3'd0) & (finished_4 != 3'd0) & (finished_5 != 3'd0) & (finished_6 != 3'd0) & (finished_7 != 3'd0) & (finished_8 != 3'd0) & (finished_9 != 3'd0) & (finished_10 != 3'd0) & (finished_11 != 3'd0) & (finished_12 != 3'd0);
     wire run_leaves = run_done & 1'b1;
     assign ap_done = run_done;
     assign ap_ready = run_starts;
@@ -973,15 +1061,16 @@ module floorline_accelerator (
         finished_0 <= finished_0 + {2'd0, luma_done} - {2'd0, run_leaves};
         finished_1 <= finished_1 + {2'd0, frame_ring_done} - {2'd0, run_leaves};
         finished_2 <= finished_2 + {2'd0, difference_done} - {2'd0, run_leaves};
-        finished_3 <= finished_3 + {2'd0, gaussian_done} - {2'd0, run_leaves};
-        finished_4 <= finished_4 + {2'd0, otsu_done} - {2'd0, run_leaves};
-        finished_5 <= finished_5 + {2'd0, binarize_done} - {2'd0, run_leaves};
-        finished_6 <= finished_6 + {2'd0, erode_done} - {2'd0, run_leaves};
-        finished_7 <= finished_7 + {2'd0, roi_done} - {2'd0, run_leaves};
-        finished_8 <= finished_8 + {2'd0, polar_done} - {2'd0, run_leaves};
-        finished_9 <= finished_9 + {2'd0, birdseye_done} - {2'd0, run_leaves};
-        finished_10 <= finished_10 + {2'd0, duplicate_done} - {2'd0, run_leaves};
-        finished_11 <= finished_11 + {2'd0, cluster_done} - {2'd0, run_leaves};
+        finished_3 <= finished_3 + {2'd0, displacement_done} - {2'd0, run_leaves};
+        finished_4 <= finished_4 + {2'd0, gaussian_done} - {2'd0, run_leaves};
+        finished_5 <= finished_5 + {2'd0, otsu_done} - {2'd0, run_leaves};
+        finished_6 <= finished_6 + {2'd0, binarize_done} - {2'd0, run_leaves};
+        finished_7 <= finished_7 + {2'd0, erode_done} - {2'd0, run_leaves};
+        finished_8 <= finished_8 + {2'd0, roi_done} - {2'd0, run_leaves};
+        finished_9 <= finished_9 + {2'd0, polar_done} - {2'd0, run_leaves};
+        finished_10 <= finished_10 + {2'd0, birdseye_done} - {2'd0, run_leaves};
+        finished_11 <= finished_11 + {2'd0, duplicate_done} - {2'd0, run_leaves};
+        finished_12 <= finished_12 + {2'd0, cluster_done} - {2'd0, run_leaves};
         under_way <= under_way + {2'd0, run_starts} - {2'd0, run_leaves};
         if (rst) begin
             under_way <= 3'd0;
@@ -997,6 +1086,7 @@ module floorline_accelerator (
             finished_9 <= 3'd0;
             finished_10 <= 3'd0;
             finished_11 <= 3'd0;
+            finished_12 <= 3'd0;
         end
     end
 

@@ -27,8 +27,8 @@ module gaussian (
     localparam [1:0] S_DONE = 2'd3;
     reg [1:0] state;
 
-    reg [11:0] left;
-    reg [11:0] middle;
+    reg [15:0] left;
+    reg [15:0] middle;
     reg corner_waits;
     reg at_4;
     reg [11:0] at_5;
@@ -52,11 +52,12 @@ module gaussian (
     reg either_3_s2;
     reg test_7_s1;
     reg test_7_s2;
-    reg [11:0] chosen_s3;
-    reg [11:0] chosen_2_s3;
-    reg [12:0] shifted_6_s3;
-    reg [21:0] shifted_7_s3;
-    reg [21:0] sum_5_s4;
+    reg [15:0] chosen_s3;
+    reg [15:0] chosen_2_s3;
+    reg [16:0] shifted_6_s3;
+    reg [25:0] shifted_7_s3;
+    reg [25:0] shifted_7_s4;
+    reg [25:0] product_2_s4;
     reg either_4_s1;
     reg either_4_s2;
     reg either_4_s3;
@@ -96,35 +97,34 @@ module gaussian (
     wire [9:0] value_12 = difference;  // gaussian.h:18
     wire [17:0] product = $signed(value_12_s2) * $signed(9'd245);  // gaussian.h:18
     wire [17:0] sum_2 = shifted_4_s2 + product;  // gaussian.h:18
-    wire [17:0] sum_3 = sum_2 + 18'd32;  // gaussian.h:27
-    wire [11:0] shifted_5 = sum_3[17:6];  // gaussian.h:27
+    wire [17:0] sum_3 = sum_2 + 18'd2;  // gaussian.h:27
+    wire [15:0] shifted_5 = sum_3[17:2];  // gaussian.h:27
     wire test_4 = at_5 > 12'd1;  // window.h:57
     wire test_5 = at_6 != 12'd0;
-    wire both_6 = test_2 & test_5;
-    wire either_2 = test_4 | both_6;  // window.h:57
+    wire both_5 = test_2 & test_5;
+    wire either_2 = test_4 | both_5;  // window.h:57
     wire test_6 = at_6 == 12'd1;  // window.h:59
     wire either_3 = test_6 | test_q;  // window.h:59
     wire test_7 = at_6 == 12'd0;  // window.h:60
-    wire [11:0] chosen = either_3_s2 ? middle : left;  // window.h:62
-    wire [11:0] chosen_2 = test_7_s2 ? middle : shifted_5;  // window.h:62
-    wire [12:0] sum_4 = {1'd0, chosen_2_s3} + {1'd0, chosen_s3};  // gaussian.h:17
-    wire [12:0] shifted_6 = {middle, 1'd0};  // gaussian.h:17
-    wire [13:0] difference_2 = {1'd0, sum_4} - {1'd0, shifted_6_s3};  // gaussian.h:17
-    wire [13:0] value_20 = difference_2;  // gaussian.h:17
-    wire [21:0] shifted_7 = {middle, 10'd0};  // gaussian.h:18
-    wire [13:0] value_22 = value_20;  // gaussian.h:18
-    wire [21:0] product_2 = $signed(value_22) * $signed(9'd245);  // gaussian.h:18
-    wire [21:0] sum_5 = shifted_7_s3 + product_2;  // gaussian.h:18
-    wire [21:0] sum_6 = sum_5_s4 + 22'd8192;  // gaussian.h:32
-    wire [7:0] shifted_8 = sum_6[21:14];  // gaussian.h:32
+    wire [15:0] chosen = either_3_s2 ? middle : left;  // window.h:62
+    wire [15:0] chosen_2 = test_7_s2 ? middle : shifted_5;  // window.h:62
+    wire [16:0] sum_4 = {1'd0, chosen_s3} + {1'd0, chosen_2_s3};  // gaussian.h:17
+    wire [16:0] shifted_6 = {middle, 1'd0};  // gaussian.h:17
+    wire [17:0] difference_2 = {1'd0, sum_4} - {1'd0, shifted_6_s3};  // gaussian.h:17
+    wire [25:0] shifted_7 = {middle, 10'd0};  // gaussian.h:18
+    wire [17:0] value_19 = difference_2;  // gaussian.h:18
+    wire [25:0] product_2 = $signed(value_19) * $signed(9'd245);  // gaussian.h:18
+    wire [25:0] sum_5 = shifted_7_s4 + product_2_s4;  // gaussian.h:18
+    wire [25:0] sum_6 = sum_5 + 26'd131072;  // gaussian.h:32
+    wire [7:0] shifted_8 = sum_6[25:18];  // gaussian.h:32
     wire chosen_3 = at_4 ? corner_waits : 1'd0;  // window.h:67
     wire test_8 = at_6 == at_q;  // raster.h:23
     wire test_9 = at_5 != at_2_q;  // raster.h:27
-    wire both_8 = at_4 & test_9;  // raster.h:27
+    wire both_6 = at_4 & test_9;  // raster.h:27
     wire [11:0] sum_7 = at_6 + 12'd1;  // raster.h:27
     wire [11:0] at_7 = test_8 ? 12'd0 : sum_7;  // raster.h:27
     wire [11:0] at_8 = at_5 + {11'd0, test_8};  // raster.h:27
-    wire at_9 = test_8 ? both_8 : at_4;  // raster.h:27
+    wire at_9 = test_8 ? both_6 : at_4;  // raster.h:27
     wire either_4 = at_9 | chosen_3;  // window.h:40
 
     // memory rows_above: 640 x 16
@@ -178,8 +178,8 @@ module gaussian (
             S_ENTRY: if (~stall) begin
                 state <= S_FOR_2;
                 for_2_active[0] <= 1'b1;
-                left <= 12'd0;
-                middle <= 12'd0;
+                left <= 16'd0;
+                middle <= 16'd0;
                 corner_waits <= 1'd1;
                 at_4 <= at_3;
                 at_5 <= 12'd0;
@@ -223,7 +223,8 @@ module gaussian (
             chosen_2_s3 <= chosen_2;
             shifted_6_s3 <= shifted_6;
             shifted_7_s3 <= shifted_7;
-            sum_5_s4 <= sum_5;
+            shifted_7_s4 <= shifted_7_s3;
+            product_2_s4 <= product_2;
             either_4_s2 <= either_4_s1;
             either_4_s3 <= either_4_s2;
             either_4_s4 <= either_4_s3;
