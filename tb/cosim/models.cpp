@@ -38,6 +38,9 @@ class CountedTop final : public VerilatedTop<Verilated> {
 #define HOLD_PAIR(name)                                                                          \
   hold(PAIR(name, output_valid_reg) + !PAIR(name, spare_free_reg), PAIR(name, output_valid_reg), \
        PAIR(name, spare_free_reg))
+#define HOLD_REGISTER(name)                                                        \
+  hold(FIFO(name, register__DOT__valid_reg), FIFO(name, register__DOT__valid_reg), \
+       !FIFO(name, register__DOT__valid_reg))
 #define HOLD_RAM(name)                                                            \
   hold(FIFO(name, ram__DOT__stored_reg) + FIFO(name, ram__DOT__output_valid_reg), \
        FIFO(name, ram__DOT__output_valid_reg), FIFO(name, ram__DOT__not_full_reg))
@@ -50,9 +53,10 @@ class CountedTop final : public VerilatedTop<Verilated> {
     HOLD_PAIR(eroded);
     HOLD_PAIR(region);
     HOLD_RAM(contacts);
-    HOLD_PAIR(floor_points);
+    HOLD_REGISTER(floor_points);
     HOLD_RAM(candidates);
 #undef HOLD_RAM
+#undef HOLD_REGISTER
 #undef HOLD_PAIR
 #undef PAIR
 #undef FIFO
