@@ -79,6 +79,7 @@ void accelerator(hls::stream<RgbPixel>& pixels, hls::stream<FloorPoint>& points,
   // A wide obstacle ends on many lines in one row, a contact a clock, while birdseye takes three clocks each.
   hls::stream<Contact> contacts("contacts");
 #pragma HLS STREAM variable = contacts depth = 64
+  // Points are far apart: one place does.
   hls::stream<FloorPoint> floor_points("floor_points");
 #pragma HLS STREAM variable = floor_points depth = 1
   // Points of the next frame's first rows, while cluster scans the lines of the frame before.

@@ -12,7 +12,7 @@
 ///
 /// II = 1. A frame takes width * height + 512 + about 75 cycles a contender (mostly one or two) + 40. The
 /// histogram is cleared while it is read; the first frame after a reset waits 256 cycles until it is cleared.
-/// Nine DSPs.
+/// Twelve DSPs.
 #ifndef FLOORLINE_HLS_OTSU_H
 #define FLOORLINE_HLS_OTSU_H
 
