@@ -66,7 +66,7 @@ std::optional<bool> judged(const cv::Mat& mask, const golden::Contact& contact) 
 MaskScore score_contacts(const std::vector<golden::FloorPoint>& points, const cv::Mat& mask) {
   MaskScore score;
   for (const golden::FloorPoint& point : points) {
-    if (point.contact.u < 0 || point.contact.u >= mask.cols) continue;
+    if (point.contact.clipped || point.contact.u < 0 || point.contact.u >= mask.cols) continue;
     const std::optional<bool> right = judged(mask, point.contact);
     if (right) ++(*right ? score.right : score.wrong);
   }

@@ -142,7 +142,7 @@ TEST_F(CommandTest, ChecksTheSequenceWithAVerdict) {
   EXPECT_EQ(facts["verdict"], "ok");
   EXPECT_EQ(facts["frames"], 6);
   EXPECT_EQ(facts["figures"].back()["name"], "contacts_within_1px");
-  EXPECT_EQ(facts["figures"].size(), 12u);
+  EXPECT_EQ(facts["figures"].size(), 13u);
 }
 
 TEST_F(CommandTest, JsonOnStdoutMovesTheTextToStderr) {
