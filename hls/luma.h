@@ -1,8 +1,8 @@
 /// Brightness of a colour pixel: Y = 0.299 R + 0.587 G + 0.114 B (ITU-R BT.601), rounded.
 ///
-/// Weights are 306, 601 and 117 / 1024; they add up to 1, so that a grey pixel keeps its value, and Y is
-/// within 1 LSB of the exact sum. Grey cameras send their pixel in the low byte, which then passes unchanged.
-/// No borders, no state. II = 1, a frame takes width * height + depth cycles, depth ~4.
+/// Weights are 19595, 38470 and 7471 / 65536; they add up to 1, so that a grey pixel keeps its value, and Y
+/// is within 1 LSB of the exact sum. Grey cameras send their pixel in the low byte, which then passes
+/// unchanged. No borders, no state. II = 1, a frame takes width * height + depth cycles, depth ~4.
 #ifndef FLOORLINE_HLS_LUMA_H
 #define FLOORLINE_HLS_LUMA_H
 
@@ -20,8 +20,8 @@ inline Pixel brightness(RgbPixel rgb) {
   const Pixel green = rgb.range(7, 0);
   const ap_int<9> red_excess = red - green;
   const ap_int<9> blue_excess = blue - green;
-  const ap_int<20> sum = (ap_int<20>(green) << 10) + 306 * red_excess + 117 * blue_excess + 512;
-  return sum >> 10;
+  const ap_int<26> sum = (ap_int<26>(green) << 16) + 19595 * red_excess + 7471 * blue_excess + (1 << 15);
+  return sum >> 16;
 }
 
 /// in: width * height pixels. out: their brightness, or their low byte when `grey`.
