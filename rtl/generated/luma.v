@@ -33,8 +33,8 @@ module luma (
     reg [1:0] for_3_active;  // stages at work
     reg [11:0] at_q;
     reg [11:0] at_2_q;
-    reg [17:0] sum_s1;
-    reg [15:0] product_2_s1;
+    reg [23:0] sum_s1;
+    reg [21:0] product_2_s1;
     reg [7:0] value_11_s1;
     reg at_8_s1;
 
@@ -54,17 +54,15 @@ module luma (
     wire [7:0] value_5 = in_data[7:0];  // luma.h:21
     wire [8:0] difference = {1'd0, shifted} - {1'd0, value_5};  // luma.h:21
     wire [8:0] difference_2 = {1'd0, shifted_2} - {1'd0, value_5};  // luma.h:22
-    wire [7:0] value_7 = in_data[7:0];  // luma.h:23
-    wire [17:0] shifted_3 = {value_7, 10'd0};  // luma.h:23
-    wire [17:0] both_4 = shifted_3 & 18'd261120;  // luma.h:23
-    wire [8:0] value_8 = difference;  // luma.h:23
-    wire [17:0] product = $signed(value_8) * $signed(10'd306);  // luma.h:23
-    wire [17:0] sum = both_4 + product;  // luma.h:23
+    wire [23:0] shifted_3 = {in_data[7:0], 16'd0};  // luma.h:23
+    wire [8:0] value_7 = difference;  // luma.h:23
+    wire [23:0] product = $signed(value_7) * $signed(16'd19595);  // luma.h:23
+    wire [23:0] sum = product + shifted_3;  // luma.h:23
     wire [8:0] value_9 = difference_2;  // luma.h:23
-    wire [15:0] product_2 = $signed(value_9) * $signed(8'd117);  // luma.h:23
-    wire [17:0] sum_2 = sum_s1 + {{2{product_2_s1[15]}}, product_2_s1};  // luma.h:23
-    wire [17:0] sum_3 = sum_2 + 18'd512;  // luma.h:23
-    wire [7:0] shifted_4 = sum_3[17:10];  // luma.h:24
+    wire [21:0] product_2 = $signed(value_9) * $signed(14'd7471);  // luma.h:23
+    wire [23:0] sum_2 = sum_s1 + {{2{product_2_s1[21]}}, product_2_s1};  // luma.h:23
+    wire [23:0] sum_3 = sum_2 + 24'd32768;  // luma.h:23
+    wire [7:0] shifted_4 = sum_3[23:16];  // luma.h:24
     wire [7:0] value_11 = in_data[7:0];  // luma.h:35
     wire [7:0] chosen = grey ? value_11_s1 : shifted_4;  // luma.h:35
     wire test = at_5 == at_q;  // raster.h:23
