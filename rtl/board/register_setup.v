@@ -29,9 +29,9 @@ module register_setup #(
     localparam [31:0] ONE        = 32'h0004_0000;  // Q14.18
     localparam [31:0] ONE_Z      = 32'h1000_0000;  // Q4.28
 
-    // Steps: 0 to 4 * LINES - 1 the line table, then 37 parameters, then UPDATE and CONTROL.
+    // Steps: 0 to 4 * LINES - 1 the line table, then 39 parameters, then UPDATE and CONTROL.
     localparam [31:0] TABLE_STEPS = 4 * LINES;
-    localparam [31:0] PARAMETERS  = 37;
+    localparam [31:0] PARAMETERS  = 39;
 
     reg [9:0]   step_reg;
     reg [12:0]  column_reg;  // of the line being written
@@ -55,23 +55,24 @@ module register_setup #(
                 10'd1:  value = ROWS;           // HEIGHT
                 10'd2:  value = 32'd1;          // GREY
                 10'd3:  value = 32'd1;          // REPLACE_REFERENCE
-                10'd7:  value = ROWS - 32'd1;   // ROI_LAST_ROW
-                10'd8:  value = LINE_COUNT;     // LINE_COUNT
-                10'd9:  value = 32'h0000_8000;  // CLUSTER_GAP: 0.5 m
-                10'd10: value = ONE;            // HOMOGRAPHY_XU
-                10'd14: value = ONE;            // HOMOGRAPHY_YV
-                10'd18: value = ONE_Z;          // HOMOGRAPHY_Z1
-                10'd19: value = 32'd2621;       // BIRDSEYE_XU: 1 cm a pixel
-                10'd23: value = 32'd2621;       // BIRDSEYE_YV
-                10'd27: value = ONE_Z;          // BIRDSEYE_Z1
-                10'd28: value = 32'd20;         // THRESHOLD_FLOOR
-                10'd30: value = 32'd12;         // THRESHOLD_LOW
-                10'd31: value = 32'd1;          // RULE_RUN_RULE
-                10'd32: value = 32'd12;         // RULE_MIN_ROWS
-                10'd33: value = 32'd3;          // RULE_MAX_GAP
-                10'd36: value = 32'd1;          // RULE_MIN_LINES
-                10'd37: value = 32'd3;          // UPDATE: parameters and lines
-                10'd38: value = 32'd1;          // CONTROL: enable
+                10'd6:  value = ROWS - 32'd1;   // ROI_LAST_ROW
+                10'd7:  value = LINE_COUNT;     // LINE_COUNT
+                10'd8:  value = 32'h0000_8000;  // CLUSTER_GAP: 0.5 m
+                10'd9:  value = ONE;            // HOMOGRAPHY_XU
+                10'd13: value = ONE;            // HOMOGRAPHY_YV
+                10'd17: value = ONE_Z;          // HOMOGRAPHY_Z1
+                10'd18: value = 32'd2621;       // BIRDSEYE_XU: 1 cm a pixel
+                10'd22: value = 32'd2621;       // BIRDSEYE_YV
+                10'd26: value = ONE_Z;          // BIRDSEYE_Z1
+                10'd27: value = 32'd20;         // THRESHOLD_FLOOR
+                10'd29: value = 32'd12;         // THRESHOLD_LOW
+                10'd30: value = 32'd255;        // DISPLACEMENT_NOISE: no foot test, since the whole box moves
+                10'd33: value = 32'd1;          // RULE_RUN_RULE
+                10'd34: value = 32'd12;         // RULE_MIN_ROWS
+                10'd35: value = 32'd3;          // RULE_MAX_GAP
+                10'd38: value = 32'd1;          // RULE_MIN_LINES
+                10'd39: value = 32'd3;          // UPDATE: parameters and lines
+                10'd40: value = 32'd1;          // CONTROL: enable
                 default: value = 32'd0;
             endcase
     end
