@@ -20,6 +20,14 @@ std::pair<Value*, int64_t> unscaled(Value* value, int64_t scale) {
   return {value, scale};
 }
 
+/// The shift that makes whole elements of `value * bytes`: a choice between 24 and 56 bytes is one between
+/// elements 3 and 7 of 8 bytes. 0 where that is not sure.
+unsigned element_shift(Value* value, int64_t bytes, int64_t stride, const DataLayout& layout) {
+  if (!isPowerOf2_64(stride) || bytes <= 0 || !isPowerOf2_64(bytes)) return 0;
+  unsigned shift = Log2_64(stride) - Log2_64(bytes);
+  return computeKnownBits(value, layout).countMinTrailingZeros() >= shift ? shift : 0;
+}
+
 }  // namespace
 
 Address ProcessBuilder::decode(Value* pointer, const Instruction& access) {
@@ -59,10 +67,15 @@ Address ProcessBuilder::decode(Value* pointer, const Instruction& access) {
   for (auto& [scaled, scale] : terms) {
     auto [value, bytes] = std::make_pair(scaled, scale.getSExtValue());
     if (bytes % stride) std::tie(value, bytes) = unscaled(scaled, bytes);
-    if (bytes % stride)
+    unsigned shift = bytes % stride ? element_shift(value, bytes, stride, layout_) : 0;
+    if (bytes % stride && !shift)
       refuse(access,
              "this address in '" + object.name + "' is not a whole number of elements; use subscripts");
     ValueId term = resized(value_of(value), 64, true, access);
+    if (shift) {
+      term = binary(OpKind::kAShr, term, constant_value(APInt(64, shift)), access);
+      bytes = stride;
+    }
     if (bytes != stride)
       term = binary(OpKind::kMul, term, constant_value(APInt(64, bytes / stride, true)), access);
     index = is_zero(index) ? term : binary(OpKind::kAdd, term, index, access);

@@ -3,6 +3,7 @@
 #include <llvm/ADT/SCCIterator.h>
 #include <llvm/Analysis/CallGraph.h>
 #include <llvm/Analysis/TargetLibraryInfo.h>
+#include <llvm/IR/PatternMatch.h>
 #include <llvm/IR/Verifier.h>
 #include <llvm/Transforms/AggressiveInstCombine/AggressiveInstCombine.h>
 #include <llvm/Transforms/IPO/AlwaysInliner.h>
@@ -28,6 +29,7 @@
 #include <llvm/Transforms/Utils/Evaluator.h>
 #include <llvm/Transforms/Utils/LCSSA.h>
 #include <llvm/Transforms/Utils/LoopSimplify.h>
+#include <llvm/Transforms/Utils/LoopUtils.h>
 
 #include "middle/array_access.h"
 #include "middle/dataflow_regions.h"
@@ -45,6 +47,38 @@ namespace hlsc {
 namespace {
 
 using namespace llvm;
+using namespace llvm::PatternMatch;
+
+/// Loops to unroll in which a break and the last iteration leave by one branch, so that LLVM knows no trip
+/// count: as many copies as the loop's own bound has iterations.
+struct UnrollUpToTheBound : PassInfoMixin<UnrollUpToTheBound> {
+  PreservedAnalyses run(Function& function, FunctionAnalysisManager& analyses) {
+    ScalarEvolution& evolution = analyses.getResult<ScalarEvolutionAnalysis>(function);
+    for (Loop* loop : analyses.getResult<LoopAnalysis>(function).getLoopsInPreorder()) {
+      if (!getBooleanLoopAttribute(loop, "llvm.loop.unroll.full")) continue;
+      BasicBlock* last = loop->getExitingBlock();
+      auto* branch = last ? dyn_cast<BranchInst>(last->getTerminator()) : nullptr;
+      if (branch && constant_bound(evolution, *loop, *branch))
+        addStringMetadataToLoop(loop, "llvm.loop.unroll.count", evolution.getSmallConstantMaxTripCount(loop));
+    }
+    return PreservedAnalyses::all();
+  }
+
+ private:
+  /// Whether one of the joined conditions alone ends the loop after a constant count.
+  static bool constant_bound(ScalarEvolution& evolution, Loop& loop, BranchInst& branch) {
+    bool leaves_if_true = !loop.contains(branch.getSuccessor(0));
+    Value *first, *second;
+    bool joined = leaves_if_true
+                      ? match(branch.getCondition(), m_LogicalOr(m_Value(first), m_Value(second)))
+                      : match(branch.getCondition(), m_LogicalAnd(m_Value(first), m_Value(second)));
+    if (!joined) return false;
+    return any_of(ArrayRef({first, second}), [&](Value* condition) {
+      return isa<SCEVConstant>(
+          evolution.computeExitLimitFromCond(&loop, condition, leaves_if_true, false).ExactNotTaken);
+    });
+  }
+};
 
 class Optimizer {
  public:
@@ -102,6 +136,7 @@ class Optimizer {
     add_licm(passes);
     passes.addPass(createFunctionToLoopPassAdaptor(IndVarSimplifyPass(/*WidenIndVars=*/false)));
     passes.addPass(createFunctionToLoopPassAdaptor(LoopDeletionPass()));
+    passes.addPass(UnrollUpToTheBound());
     passes.addPass(LoopUnrollPass(LoopUnrollOptions(/*OptLevel=*/2, /*OnlyWhenForced=*/true)));
     simplify(passes);
     run(std::move(passes));
