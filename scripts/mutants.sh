@@ -10,6 +10,6 @@ grep $'\tmissed$' "$result" | sed 's/^/missed: /' >&2 || true
 awk -F'\t' '
     { seeded++; if ($4 != "missed") found++ }
     END {
-        printf "cosim.mutants_seeded\t%d\t>= 60\t%s\n", seeded, seeded >= 60 ? "ok" : "short"
-        printf "cosim.mutants_found\t%.3f\t>= 0.95\t%s\n", found / seeded, found >= 0.95 * seeded ? "ok" : "short"
+        printf "cosim.mutants_seeded\t%d\t>= 60\t%s\n", seeded, (seeded >= 60 ? "ok" : "short")
+        printf "cosim.mutants_found\t%.3f\t>= 0.95\t%s\n", found / seeded, (found >= 0.95 * seeded ? "ok" : "short")
     }' "$result"

@@ -21,7 +21,9 @@ FRAMES = 2
 WORK = flow.ROOT / "build/synth/activity"
 RECORD = flow.RECORDS / "activity.json"
 SOURCES = ("rtl/*.v", "rtl/lib/*.v", "rtl/generated/*.v", "rtl/board/demonstration.v", "rtl/board/register_setup.v",
-           "rtl/board/serial_results.v", "scripts/synth/activity/video_file.v", "scripts/synth/activity/main.cpp")
+           "rtl/board/serial_results.v", "scripts/synth/activity/video_file.v")
+# Verilator's make runs in its own folder.
+MAIN = flow.ROOT / "scripts/synth/activity/main.cpp"
 CORE = "TOP.demonstration.top.core."  # where the parts of the accelerator are
 PAGE = "\x01page\x02v_toggle"
 OTHER = "other"                       # everything around it
@@ -40,7 +42,7 @@ def simulate():
     flow.run([flow.tool("convert"), *frames, "-colorspace", "Gray", "-depth", "8", f"gray:{WORK}/frames.grey"], WORK / "convert.log")
     flow.say("Verilator: activity of the demo scene")
     flow.run([flow.tool("verilator"), "--cc", "--exe", "--build", "-O3", "--x-assign", "fast", "--coverage-toggle", "-Wno-fatal", "-Wno-lint",
-              "-Wno-style", "--top-module", "demonstration", "-GCYCLES_PER_BIT=4", "--Mdir", WORK / "model", *flow.matching(SOURCES)],
+              "-Wno-style", "--top-module", "demonstration", "-GCYCLES_PER_BIT=4", "--Mdir", WORK / "model", *flow.matching(SOURCES), MAIN],
              WORK / "verilator.log")
     done = subprocess.run([WORK / "model/Vdemonstration"], cwd=WORK, capture_output=True, text=True, check=True)
     return int(done.stdout)
