@@ -20,12 +20,26 @@ std::pair<Value*, int64_t> unscaled(Value* value, int64_t scale) {
   return {value, scale};
 }
 
-/// The shift that makes whole elements of `value * bytes`: a choice between 24 and 56 bytes is one between
-/// elements 3 and 7 of 8 bytes. 0 where that is not sure.
-unsigned element_shift(Value* value, int64_t bytes, int64_t stride, const DataLayout& layout) {
-  if (!isPowerOf2_64(stride) || bytes <= 0 || !isPowerOf2_64(bytes)) return 0;
+/// A summand of an address in bytes as elements: `value >> shift`, times `elements`, and `rest` bytes.
+struct ElementTerm {
+  Value* value;
+  int64_t elements;
+  unsigned shift = 0;
+  int64_t rest = 0;
+};
+
+/// A choice between bytes 28 and 60 is one between elements 3 and 7 of 8 bytes, and 4 bytes. Nothing where
+/// the value's low bits are not known.
+std::optional<ElementTerm> element_term(Value* scaled, int64_t scale, int64_t stride,
+                                        const DataLayout& layout) {
+  auto [value, bytes] = scale % stride ? unscaled(scaled, scale) : std::pair(scaled, scale);
+  if (bytes % stride == 0) return ElementTerm{value, bytes / stride};
+  if (bytes <= 0 || !isPowerOf2_64(bytes) || !isPowerOf2_64(stride)) return std::nullopt;
   unsigned shift = Log2_64(stride) - Log2_64(bytes);
-  return computeKnownBits(value, layout).countMinTrailingZeros() >= shift ? shift : 0;
+  KnownBits known = computeKnownBits(value, layout);
+  if ((known.Zero | known.One).countr_one() < shift) return std::nullopt;
+  int64_t low = known.One.getLoBits(shift).getZExtValue();
+  return ElementTerm{value, 1, shift, low * bytes};
 }
 
 }  // namespace
@@ -47,6 +61,16 @@ Address ProcessBuilder::decode(Value* pointer, const Instruction& access) {
   int64_t stride = 0;
   if (!object.leaves.empty() && !object.leaves[0].strides.empty()) stride = object.leaves[0].strides.back();
   int64_t offset = constant.getSExtValue();
+  std::vector<ElementTerm> parts;
+  for (auto& [scaled, scale] : terms) {
+    if (!stride) refuse(access, "'" + object.name + "' is accessed with a subscript but is no array");
+    std::optional<ElementTerm> part = element_term(scaled, scale.getSExtValue(), stride, layout_);
+    if (!part)
+      refuse(access,
+             "this address in '" + object.name + "' is not a whole number of elements; use subscripts");
+    offset += part->rest;
+    parts.push_back(*part);
+  }
   int64_t member = stride ? ((offset % stride) + stride) % stride : offset;
   bool found = false;
   for (size_t leaf = 0; leaf < object.leaves.size(); ++leaf)
@@ -58,26 +82,14 @@ Address ProcessBuilder::decode(Value* pointer, const Instruction& access) {
     refuse(access, "this access to '" + object.name +
                        "' does not match one of its elements; use members and subscripts without casts");
   check_width(object.leaves[address.leaf], access);
-  if (!stride) {
-    if (!terms.empty()) refuse(access, "'" + object.name + "' is accessed with a subscript but is no array");
-    return address;
-  }
+  if (!stride) return address;
   address.is_linear = true;
   ValueId index = constant_value(APInt(64, (offset - member) / stride, true));
-  for (auto& [scaled, scale] : terms) {
-    auto [value, bytes] = std::make_pair(scaled, scale.getSExtValue());
-    if (bytes % stride) std::tie(value, bytes) = unscaled(scaled, bytes);
-    unsigned shift = bytes % stride ? element_shift(value, bytes, stride, layout_) : 0;
-    if (bytes % stride && !shift)
-      refuse(access,
-             "this address in '" + object.name + "' is not a whole number of elements; use subscripts");
-    ValueId term = resized(value_of(value), 64, true, access);
-    if (shift) {
-      term = binary(OpKind::kAShr, term, constant_value(APInt(64, shift)), access);
-      bytes = stride;
-    }
-    if (bytes != stride)
-      term = binary(OpKind::kMul, term, constant_value(APInt(64, bytes / stride, true)), access);
+  for (const ElementTerm& part : parts) {
+    ValueId term = resized(value_of(part.value), 64, true, access);
+    if (part.shift) term = binary(OpKind::kAShr, term, constant_value(APInt(64, part.shift)), access);
+    if (part.elements != 1)
+      term = binary(OpKind::kMul, term, constant_value(APInt(64, part.elements, true)), access);
     index = is_zero(index) ? term : binary(OpKind::kAdd, term, index, access);
   }
   address.subscripts = {index};

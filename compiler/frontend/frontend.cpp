@@ -9,6 +9,8 @@
 #include <clang/Frontend/TextDiagnosticPrinter.h>
 #include <clang/Frontend/Utils.h>
 #include <clang/Lex/PreprocessorOptions.h>
+#include <clang/Sema/Sema.h>
+#include <clang/Sema/SemaConsumer.h>
 #include <llvm/IR/LLVMContext.h>
 #include <llvm/IR/Module.h>
 #include <llvm/Linker/Linker.h>
@@ -127,7 +129,7 @@ Parameter describe(clang::ASTContext& context, const clang::ParmVarDecl* declara
 }
 
 /// Collects stream element types and the user's functions from one translation unit.
-class ProgramReader : public clang::ASTConsumer, public clang::RecursiveASTVisitor<ProgramReader> {
+class ProgramReader : public clang::SemaConsumer, public clang::RecursiveASTVisitor<ProgramReader> {
  public:
   ProgramReader(Program& program, const FrontendOptions& options, std::vector<std::string>& tops)
       : program_(program), options_(options), tops_(tops) {}
@@ -135,6 +137,8 @@ class ProgramReader : public clang::ASTConsumer, public clang::RecursiveASTVisit
   bool shouldVisitTemplateInstantiations() const { return true; }
 
   void Initialize(clang::ASTContext& context) override { context_ = &context; }
+  void InitializeSema(clang::Sema& sema) override { sema_ = &sema; }
+  void ForgetSema() override { sema_ = nullptr; }
   bool HandleTopLevelDecl(clang::DeclGroupRef declarations) override {
     if (!context_->getDiagnostics().hasErrorOccurred()) fold_constant_calls(*context_, declarations);
     return true;
@@ -171,8 +175,10 @@ class ProgramReader : public clang::ASTConsumer, public clang::RecursiveASTVisit
     std::string mangled = mangled_name(*mangler_, function);
     if (info.name == options_.top || info.qualified == options_.top) tops_.push_back(mangled);
     try {
-      for (const clang::ParmVarDecl* parameter : function->parameters())
+      for (const clang::ParmVarDecl* parameter : function->parameters()) {
+        instantiate(*parameter);
         info.parameters.push_back(describe(*context_, parameter));
+      }
       if (!function->getReturnType()->isVoidType())
         info.result = layout_of(*context_, function->getReturnType());
     } catch (const CompileError&) {
@@ -182,10 +188,20 @@ class ProgramReader : public clang::ASTConsumer, public clang::RecursiveASTVisit
     program_.functions[mangled] = info;
   }
 
+  /// A class template that only an unused array or pointer names, as ap_int<16> in `ap_int<16> x[8]`, has no
+  /// layout yet.
+  void instantiate(const clang::ParmVarDecl& parameter) {
+    clang::QualType type = parameter.getOriginalType().getNonReferenceType();
+    if (type->isPointerType()) type = type->getPointeeType();
+    type = context_->getBaseElementType(type);
+    if (type->isRecordType()) (void)sema_->isCompleteType(parameter.getLocation(), type);
+  }
+
   Program& program_;
   const FrontendOptions& options_;
   std::vector<std::string>& tops_;
   clang::ASTContext* context_ = nullptr;
+  clang::Sema* sema_ = nullptr;
   std::unique_ptr<clang::MangleContext> mangler_;
 };
 

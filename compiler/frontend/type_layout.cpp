@@ -95,6 +95,8 @@ class LeafCollector {
 TypeLayout layout_of(clang::ASTContext& context, clang::QualType type) {
   TypeLayout layout;
   layout.type_name = type.getUnqualifiedType().getAsString();
+  if (type->isIncompleteType())
+    throw CompileError("type '" + layout.type_name + "' is declared but not defined; include its definition");
   layout.bytes = context.getTypeSizeInChars(type).getQuantity();
   LeafCollector(context, layout).collect(type.getUnqualifiedType(), "", 0);
   return layout;

@@ -126,10 +126,10 @@ std::string ProcessEmitter::forward_declarations() {
 }
 
 std::string ProcessEmitter::data_block() {
-  std::string body = data_.str();
-  if (body.empty()) return "";
+  std::string body = data_.str(), resets = data_resets_.str();
+  if (body.empty() && resets.empty()) return "";
   std::string out = "\n    always @(posedge clk) begin\n" + body;
-  if (!data_resets_.str().empty()) out += "        if (rst) begin\n" + data_resets_.str() + "        end\n";
+  if (!resets.empty()) out += "        if (rst) begin\n" + resets + "        end\n";
   return out + "    end\n";
 }
 
