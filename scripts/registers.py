@@ -4,11 +4,13 @@
 ./scripts/registers.py          writes the files
 ./scripts/registers.py --check  fails when one of them is not what the map gives
 
-Files: rtl/axil_registers.v (the register file), rtl/floorline_registers.h (C and C++), docs/registers.md.
+Files: rtl/axil_registers.v (the register file), rtl/floorline_registers.h (C and C++), docs/registers.md; and the steps in
+rtl/board/register_setup.v, which is written by hand but for them.
 """
 
 import argparse
 import pathlib
+import re
 import sys
 
 import yaml
@@ -384,6 +386,26 @@ UPDATE.LINES is 1. After that the other bank is written, so write every line in 
     return "".join(out)
 
 
+# ---- The board demonstration ----
+
+BOARD_SETUP = "rtl/board/register_setup.v"
+
+
+def board_setup(register_map):
+    """The setup of the board demonstration: its steps are the parameters in the order of the map, then UPDATE and CONTROL."""
+    parameters = [parameter["name"] for parameter in register_map["parameters"]]
+    steps = parameters + ["UPDATE", "CONTROL"]
+
+    def renumbered(match):
+        value, name = match.groups()
+        if name not in steps:
+            fail(f"{BOARD_SETUP} writes {name}, which {SOURCE} does not have; take the line out or name it as the map does.")
+        return f"10'd{steps.index(name)}: ".ljust(8) + value
+
+    text = re.sub(r"10'd\d+: +(value = .*?// (\w+))", renumbered, (ROOT / BOARD_SETUP).read_text())
+    return re.sub(r"(PARAMETERS +=) \d+;", rf"\1 {len(parameters)};", text)
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true", help="compare the files with what the map gives")
@@ -393,6 +415,7 @@ def main():
         "rtl/axil_registers.v": verilog(register_map),
         "rtl/floorline_registers.h": c_header(register_map),
         "docs/registers.md": document(register_map),
+        BOARD_SETUP: board_setup(register_map),
     }
     for name, text in files.items():
         path = ROOT / name

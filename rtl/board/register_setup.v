@@ -29,7 +29,8 @@ module register_setup #(
     localparam [31:0] ONE        = 32'h0004_0000;  // Q14.18
     localparam [31:0] ONE_Z      = 32'h1000_0000;  // Q4.28
 
-    // Steps: 0 to 4 * LINES - 1 the line table, then 39 parameters, then UPDATE and CONTROL.
+    // Steps: 0 to 4 * LINES - 1 the line table, then the parameters, then UPDATE and CONTROL; numbered by
+    // scripts/registers.py from the register map.
     localparam [31:0] TABLE_STEPS = 4 * LINES;
     localparam [31:0] PARAMETERS  = 39;
 
