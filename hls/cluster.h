@@ -12,8 +12,8 @@
 /// Distances are exact squares of coordinates cut down to Q8.9 (2 mm), so that a difference fits an 18-bit
 /// multiplier.
 ///
-/// Cycles: about 6 a point; at frame end about 20 a line for the scan and 3 for the reports. Points of the
-/// next frame wait in their FIFO meanwhile.
+/// Cycles: 1 a line at frame start; about 6 a point; at frame end about 20 a line for the scan and 3 for the
+/// reports. Points of the next frame wait in their FIFO meanwhile.
 #ifndef FLOORLINE_HLS_CLUSTER_H
 #define FLOORLINE_HLS_CLUSTER_H
 
@@ -87,7 +87,7 @@ void cluster(hls::stream<FloorPoint>& points, hls::stream<Obstacle>& obstacles, 
 CLEAR:
   for (ap_uint<9> line = 0; line < line_count; ++line) {
 #pragma HLS PIPELINE II = 1
-#pragma HLS LOOP_TRIPCOUNT min = 128 max = 128
+#pragma HLS LOOP_TRIPCOUNT min = 0 max = MAX_LINES
     const Candidate none = {0, 0, 0, 0, 0, 0, 0, 0};
     candidates[line] = none;
   }
@@ -110,7 +110,7 @@ SELECT:
   Neighbour third = none;
 SCAN:
   for (ap_uint<9> line = 0; line < line_count; ++line) {
-#pragma HLS LOOP_TRIPCOUNT min = 128 max = 128
+#pragma HLS LOOP_TRIPCOUNT min = 0 max = MAX_LINES
     Candidate candidate = candidates[line];
     Neighbour here = {candidate.lines != 0, coarse(candidate.x), coarse(candidate.y), LineIndex(line)};
     join(here, third, squared_gap);
@@ -133,7 +133,7 @@ SCAN:
 
 REPORT:
   for (ap_uint<9> line = 0; line < line_count; ++line) {
-#pragma HLS LOOP_TRIPCOUNT min = 128 max = 128
+#pragma HLS LOOP_TRIPCOUNT min = 0 max = MAX_LINES
     const Candidate found = candidates[line];
     if (found.lines != 0 && found.lines >= min_lines) {
       const Obstacle obstacle = {LineIndex(line), found.last_line, found.u,       found.v, found.rows,

@@ -20,11 +20,9 @@ PIXELS:
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT
     const PixelPair pair = in.read();
-    const ap_int<9> rise = pair.current - pair.reference;
-    Pixel distance = 0;
-    if (pair.valid) distance = rise < 0 ? ap_int<9>(-rise) : rise;
-    out.write(distance);
-    const Change change = {distance, pair.gradient};
+    const Pixel changed = pair.valid ? distance(pair.current, pair.reference) : Pixel(0);
+    out.write(changed);
+    const Change change = {changed, pair.gradient};
     changes.write(change);
   }
 }

@@ -67,11 +67,6 @@ inline ap_uint<14> between(Pixel a, Pixel b, Place place) {
   return (ap_uint<14>(a) << 6) + rise * place;
 }
 
-inline Pixel distance(Pixel a, Pixel b) {
-#pragma HLS INLINE
-  return a > b ? Pixel(a - b) : Pixel(b - a);
-}
-
 /// Reference and gradient from a cell whose pixels are given row by row.
 inline void interpolate(Pixel upper_left, Pixel upper_right, Pixel lower_left, Pixel lower_right,
                         Place across, Place down, PixelPair& pair) {

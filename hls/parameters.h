@@ -47,8 +47,7 @@ struct RuleParameters {
   Size max_gap;         ///< Rows without a low pixel that a run survives.
   Coordinate horizon_row;
   ap_uint<10> height_ratio;  ///< Q2.8: least obstacle height over camera height.
-  LineIndex
-      min_lines;  ///< Least neighbouring lines of an obstacle: 2 drops lone lines, which are mostly noise.
+  LineIndex min_lines;       ///< Least lines of an obstacle: 2 drops lone lines, mostly noise.
 };
 
 /// All that the host may change from frame to frame, but for the line table.

@@ -13,6 +13,13 @@ typedef ap_uint<12> Size;       ///< Width, height, or a count of rows, up to 20
 typedef ap_int<13> Coordinate;  ///< Column or row; may lie outside the image.
 typedef ap_uint<8> LineIndex;   ///< Up to 256 lines.
 
+/// |a - b|.
+inline Pixel distance(Pixel a, Pixel b) {
+#pragma HLS INLINE
+  const ap_int<9> rise = a - b;
+  return rise < 0 ? ap_int<9>(-rise) : rise;
+}
+
 /// A pixel of the current frame with what the ground homography finds for it in the reference frame.
 struct PixelPair {
   Pixel current;
