@@ -90,7 +90,8 @@ int Interpreter::successor(int block) const {
   }
   APInt choice = value(terminator.condition);
   for (size_t i = 0; i < terminator.cases.size(); ++i)
-    if (terminator.cases[i].zextOrTrunc(choice.getBitWidth()) == choice) return terminator.targets[i + 1];
+    if (choice.zextOrTrunc(terminator.cases[i].getBitWidth()) == terminator.cases[i])
+      return terminator.targets[i + 1];
   return terminator.targets[0];
 }
 

@@ -9,6 +9,7 @@
 
 #include "differential/run_case.h"
 #include "differential/steering.h"
+#include "differential/undefined.h"
 
 namespace hlsc::differential {
 namespace {
@@ -21,6 +22,8 @@ class Minimiser {
       : work_(work), seed_(seed), text_(read_text(kernel)), failure_(run(text_)) {
     if (failure_.outcome == Outcome::kPass)
       throw std::runtime_error("the program passes; there is nothing to make smaller.");
+    if (failure_.outcome == Outcome::kMismatch && is_undefined(work_))
+      throw std::runtime_error("C++ leaves undefined what the program does; its results prove nothing.");
   }
 
   std::string run_to_end() {
@@ -39,13 +42,15 @@ class Minimiser {
     return run_case(kernel, work_, seed_);
   }
 
-  /// Keeps `text` if it still fails in the same way. Of refusals only internal errors are failures.
+  /// Keeps `text` if it still fails in the same way. Of refusals only internal errors are failures; a result
+  /// that differs is none where C++ leaves it undefined.
   bool keep(const std::string& text) {
     CaseResult result = run(text);
     bool is_same = result.outcome == failure_.outcome;
     if (is_same && failure_.outcome == Outcome::kRefused)
       is_same = (result.detail.find("internal") != std::string::npos) ==
                 (failure_.detail.find("internal") != std::string::npos);
+    if (is_same && failure_.outcome == Outcome::kMismatch) is_same = !is_undefined(work_);
     if (is_same) text_ = text;
     return is_same;
   }

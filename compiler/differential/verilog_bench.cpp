@@ -170,17 +170,21 @@ class VerilogBench {
     moves_ += fmt::format(" | {0}_valid & {0}_ready", name);
   }
 
-  void input_stream(const InterfaceStream& stream, const std::string& name) {
-    declare(fmt::format("reg {}_valid = 0;", name));
-    declare(fmt::format("wire {}_ready;", name));
-    declare(fmt::format("wire {0} {1}_data = {1}_valid ? {1}_hex[{1}_next] : {2}'bx;", range(stream.width),
-                        name, stream.width));
+  void connect_stream(const InterfaceStream& stream, const std::string& name) {
     connect(stream.valid, name + "_valid");
     connect(stream.ready, name + "_ready");
     for (const InterfaceField& field : stream.fields)
       connect(field.signal, stream.fields.size() == 1 ? name + "_data"
                                                       : fmt::format("{}_data[{}:{}]", name,
                                                                     field.low + field.width - 1, field.low));
+  }
+
+  void input_stream(const InterfaceStream& stream, const std::string& name) {
+    declare(fmt::format("reg {}_valid = 0;", name));
+    declare(fmt::format("wire {}_ready;", name));
+    declare(fmt::format("wire {0} {1}_data = {1}_valid ? {1}_hex[{1}_next] : {2}'bx;", range(stream.width),
+                        name, stream.width));
+    connect_stream(stream, name);
     clocked_ += fmt::format(
         "    always @(posedge clk) begin\n"
         "        {0}_following = {0}_next + ({0}_valid & {0}_ready);\n"
@@ -195,12 +199,7 @@ class VerilogBench {
     declare(fmt::format("wire {0}_valid;", name));
     declare(fmt::format("wire {0}_ready = ~{0}_pause;", name));
     declare(fmt::format("wire {} {}_data;", range(stream.width), name));
-    connect(stream.valid, name + "_valid");
-    connect(stream.ready, name + "_ready");
-    for (const InterfaceField& field : stream.fields)
-      connect(field.signal, stream.fields.size() == 1 ? name + "_data"
-                                                      : fmt::format("{}_data[{}:{}]", name,
-                                                                    field.low + field.width - 1, field.low));
+    connect_stream(stream, name);
     clocked_ += fmt::format(
         "    always @(posedge clk) if ({0}_valid & {0}_ready & ~reset) begin\n"
         "        if ({0}_next >= {0}_end[{1}]) fail_at(\"too many tokens in {2}\");\n"

@@ -31,6 +31,10 @@ class ModuloScheduler : public ::testing::Test {
     }
     return found;
   }
+  bool solved_at(int ii) {
+    problem.ii = ii;
+    return solved();
+  }
   ScheduleProblem problem;
   Schedule schedule;
   ScheduleFailure failure;
@@ -48,29 +52,24 @@ TEST_F(ModuloScheduler, SharesAResourceModuloIi) {
   problem.operations = {operation(1, 0, 0), operation(1, 0, 0), operation(1, 0, 0)};
   problem.limits = {1};
   EXPECT_EQ(resource_ii(problem), 3);
-  problem.ii = 2;
-  EXPECT_FALSE(solved());
+  EXPECT_FALSE(solved_at(2));
   EXPECT_EQ(failure.resource, 0);
-  problem.ii = 3;
-  EXPECT_TRUE(solved());
+  EXPECT_TRUE(solved_at(3));
 }
 
 TEST_F(ModuloScheduler, RefusesAnIiBelowTheRecurrenceAndNamesIt) {
   problem.period = 5;
   problem.operations = {operation(4), operation(4)};  // Two cycles around.
   problem.dependences = {data(0, 1), data(1, 0, 1)};
-  problem.ii = 1;
-  EXPECT_FALSE(solved());
+  EXPECT_FALSE(solved_at(1));
   EXPECT_EQ(failure.dependence, 1);
-  problem.ii = 2;
-  EXPECT_TRUE(solved());
+  EXPECT_TRUE(solved_at(2));
 }
 
 TEST_F(ModuloScheduler, MovesARecurrenceToItsLateOperand) {
   problem.operations = {operation(0), operation(3, 4), operation(1)};  // A phi, a slow load, their sum.
   problem.dependences = {data(0, 2), data(1, 2), data(2, 0, 1)};
-  problem.ii = 1;
-  ASSERT_TRUE(solved());
+  ASSERT_TRUE(solved_at(1));
   EXPECT_EQ(schedule.cycle[0], schedule.cycle[2]);
   EXPECT_EQ(schedule.cycle[2], 4);
 }

@@ -116,7 +116,8 @@ std::string ProcessEmitter::transition(int block, int cycle, const std::string& 
 
 std::string ProcessEmitter::switch_transition(int block, int cycle, const std::string& indent) {
   const Terminator& terminator = block_of(block).terminator;
-  unsigned width = process_[terminator.condition].type_width;
+  // The condition may stand for a narrower one, of which it is a copy: the cases know their width.
+  unsigned width = terminator.cases.empty() ? 1 : terminator.cases[0].getBitWidth();
   std::string out = indent + "case (" + text(terminator.condition, width, {block, cycle}) + ")\n";
   for (size_t i = 0; i < terminator.cases.size(); ++i)
     out += indent + "    " + literal_text(terminator.cases[i], width) + ": begin\n" +
