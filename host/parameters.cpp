@@ -131,10 +131,16 @@ golden::Parameters Configuration::golden_parameters(const PlannedFrame& frame) c
   golden::Parameters parameters = base_;
   parameters.replace_reference = frame.replace;
   parameters.homography = to_opencv(frame.homography);
+  parameters.displacement = displacement(frame);
+  return parameters;
+}
+
+golden::DisplacementParameters Configuration::displacement(const PlannedFrame& frame) const {
+  golden::DisplacementParameters parameters = base_.displacement;
   // The epipole of a robot that drives ahead lies on the horizon.
   const double step = still_rows_ * parallax_share(frame.baseline_m);
-  parameters.displacement.bound_step_px = representable_bound(step);
-  parameters.displacement.bound_px = representable_bound(still_px_ - step * base_.rule.horizon_row);
+  parameters.bound_step_px = representable_bound(step);
+  parameters.bound_px = representable_bound(still_px_ - step * base_.rule.horizon_row);
   return parameters;
 }
 
@@ -154,10 +160,10 @@ FrameParameters Configuration::frame_parameters(const PlannedFrame& frame, bool 
   parameters.threshold.floor = base_.threshold.floor;
   parameters.threshold.override_high = base_.threshold.override_high;
   parameters.threshold.low = base_.threshold.low;
-  const golden::DisplacementParameters displacement = golden_parameters(frame).displacement;
-  parameters.displacement.noise = displacement.noise;
-  parameters.displacement.bound = fixed_bound(displacement.bound_px);
-  parameters.displacement.bound_step = fixed_bound(displacement.bound_step_px);
+  const golden::DisplacementParameters foot = displacement(frame);
+  parameters.displacement.noise = foot.noise;
+  parameters.displacement.bound = fixed_bound(foot.bound_px);
+  parameters.displacement.bound_step = fixed_bound(foot.bound_step_px);
   parameters.rule.run_rule = base_.rule.kind == golden::Rule::run;
   parameters.rule.min_rows = base_.rule.min_rows;
   parameters.rule.max_gap = base_.rule.max_gap;

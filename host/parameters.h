@@ -65,6 +65,8 @@ class Configuration {
   std::optional<golden::Lens> lens() const { return rectification(camera_); }
 
  private:
+  golden::DisplacementParameters displacement(const PlannedFrame& frame) const;
+
   Camera camera_;
   Eigen::Isometry3d robot_from_camera_;
   ReferenceRule reference_rule_;

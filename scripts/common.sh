@@ -15,3 +15,12 @@ build() {
     rm -f "build-$preset.log"
     ninja -C "build/$preset" "$@" >&2 || fail "the build failed; the compiler's message is above."
 }
+
+# figure NAME VALUE RELATION BOUND: a line of ./scripts/figures.sh; a VALUE that is no number is short.
+figure() {
+    awk -v OFS='\t' -v name="$1" -v value="$2" -v relation="$3" -v bound="$4" 'BEGIN {
+        known = value ~ /^-?[0-9.]+(e[-+]?[0-9]+)?$/
+        kept = relation == ">=" ? value + 0 >= bound + 0 : relation == "<=" ? value + 0 <= bound + 0 : value + 0 == bound + 0
+        print name, value, relation " " bound, known && kept ? "ok" : "short"
+    }'
+}

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # How long the HLS compiler takes, in seconds of processor time: the whole accelerator, and one of its largest kernels alone.
 # Usage: compile_time.sh BUILD_DIR
-set -euo pipefail
+source "$(dirname "$0")/../common.sh"
+
 hlsc=$1/bin/floorline-hlsc
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -11,7 +12,7 @@ compile_seconds() {
     local TIMEFORMAT='%U %S' used
     used=$({ time "$hlsc" compile "$3" --top "$4" -I hls -o "$work/$1" --target xc6v --clock 6.5 >"$work/$1.log" 2>&1; } 2>&1) ||
         { cat "$work/$1.log" >&2; exit 1; }
-    awk -v name="$1" -v bound="$2" '{ s = $1 + $2; printf "hlsc.compile_seconds.%s\t%.1f\t<= %s\t%s\n", name, s, bound, s <= bound ? "ok" : "short" }' <<<"$used"
+    figure "hlsc.compile_seconds.$1" "$(awk '{ printf "%.1f", $1 + $2 }' <<<"$used")" '<=' "$2"
 }
 
 cat >"$work/kernel.cpp" <<'EOF'

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# The Verilog of the whole accelerator against the C simulation: sequences, pictures, faults and soak (minutes, so recorded), then cycles and
-# the speed of the model on one core. Usage: cosim.sh BUILD_DIR
+# The Verilog of the whole accelerator against the C simulation: sequences, pictures, faults and soak (minutes, so recorded), then
+# cycles. Usage: cosim.sh BUILD_DIR
 source "$(dirname "$0")/../common.sh"
 source scripts/records.sh
 
@@ -10,4 +10,3 @@ recorded mutants "${rtl[@]}" scripts/mutate.py scripts/mutants.sh -- ./scripts/m
 # scripts/gate_level.sh is not measured: Yosys does not end in half an hour (docs/cosimulation.md).
 printf 'cosim.gate_level_differences.%s\tnone\t<= 0\tshort\n' xc6v ecp5
 "$1/bin/cosim_record" cycles
-taskset -c 0 "$1/bin/cosim_record" speed

@@ -9,9 +9,6 @@ runner=$build/bin/hlsc-differential
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-line() { # name value relation bound
-    awk -v n="$1" -v v="$2" -v r="$3" -v b="$4" 'BEGIN { ok = r == ">=" ? v >= b : v <= b; printf "hlsc.%s\t%s\t%s %s\t%s\n", n, v, r, b, ok ? "ok" : "short" }'
-}
 # run COMMAND...: sets passed, failed and log.
 run() {
     log=$("$runner" -j 2 --work "$work/run" "$@" 2>/dev/null || true)
@@ -21,16 +18,16 @@ run() {
 }
 
 run corpus compiler/test/corpus
-line corpus_cases $((passed + failed)) '>=' 120
-line corpus_failures "$failed" '<=' 0
-line schedule_expectations "$(grep -rl '// expect:' --include='*.c*' compiler/test/corpus | wc -l)" '>=' 40
+figure hlsc.corpus_cases $((passed + failed)) '>=' 120
+figure hlsc.corpus_failures "$failed" '<=' 0
+figure hlsc.schedule_expectations "$(grep -rl '// expect:' --include='*.c*' compiler/test/corpus | wc -l)" '>=' 40
 
 run messages compiler/test/refused
-line refused_cases $((passed + failed)) '>=' 40
-line refused_failures "$failed" '<=' 0
+figure hlsc.refused_cases $((passed + failed)) '>=' 40
+figure hlsc.refused_failures "$failed" '<=' 0
 
 run messages compiler/test/warned
-line warned_failures "$failed" '<=' 0
+figure hlsc.warned_failures "$failed" '<=' 0
 
 # What a random program's outcome depends on.
 version=$(content_hash compiler/frontend compiler/middle compiler/design compiler/schedule compiler/verilog compiler/tool compiler/include \
@@ -45,6 +42,6 @@ else
     mismatches=$((failed - crashes))
     [ -z "${HLSC_FUZZ_PROGRAMS:-}" ] || printf '%s\n%s\t%s\t%s\n' "$version" "$programs" "$mismatches" "$crashes" >"$record"
 fi
-line fuzz_programs "$programs" '>=' 5000
-line fuzz_mismatches "$mismatches" '<=' 0
-line fuzz_crashes "$crashes" '<=' 0
+figure hlsc.fuzz_programs "$programs" '>=' 5000
+figure hlsc.fuzz_mismatches "$mismatches" '<=' 0
+figure hlsc.fuzz_crashes "$crashes" '<=' 0

@@ -4,9 +4,6 @@
 source "$(dirname "$0")/../common.sh"
 source scripts/records.sh
 
-# figure NAME VALUE RELATION BOUND
-figure() { awk -v OFS='\t' -v n="$1" -v v="$2" -v r="$3" -v b="$4" 'BEGIN { good = r == ">=" ? v >= b : v <= b; print n, v, r " " b, good ? "ok" : "short" }'; }
-
 recorded coverage hls golden host tb/types tb/golden tb/host tb/kernels tb/csim scripts/coverage.sh -- ./scripts/coverage.sh |
     while IFS=$'\t' read -r folder _ _ percent; do figure "robust.coverage.$folder" "$percent" '>=' 95; done
 # Each target with the readers that it enters (tb/fuzz/CMakeLists.txt).

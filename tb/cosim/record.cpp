@@ -1,8 +1,7 @@
 /// The record runs: what the tests do in small, long enough to be told. Usage: cosim_record
-/// cycles|speed|faults|soak, or cosim_record pictures FOLDER... Prints figures:
+/// cycles|faults|soak, or cosim_record pictures FOLDER... Prints figures:
 /// name<TAB>value<TAB>bound<TAB>ok|short.
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -15,8 +14,6 @@
 #include "tb/cosim/cycle_table.h"
 #include "tb/cosim/fault_campaign.h"
 #include "tb/cosim/random_frames.h"
-#include "tb/cosim/top.h"
-#include "tb/cosim/video.h"
 
 namespace floorline::cosim {
 namespace {
@@ -109,25 +106,6 @@ void print_cycles() {
 }
 
 /// Processor time, so that other programs on the machine do not count.
-void print_speed() {
-  constexpr int kFrames = 8;
-  const cv::Size size(640, 480);
-  RandomFrames random(4);
-  Top top(Configuration::vga, Stalls::none, 0);
-  Driver driver(top);
-  FrameParameters parameters = random.parameters(size);
-  parameters.width = size.width;
-  parameters.height = size.height;
-  driver.prepare(parameters, random.lines(size));
-  driver.enable(true);
-  for (int i = 0; i < kFrames; ++i) queue_video(random.image(size), 0, size.height, top.video().queue);
-  const std::uint64_t first = top.cycles();
-  const std::clock_t start = std::clock();
-  top.run_until([&] { return top.obstacles().packets.size() == kFrames; });
-  const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  print("cycles_per_second", static_cast<double>(top.cycles() - first) / seconds, true, 1.5e6);
-}
-
 }  // namespace
 }  // namespace floorline::cosim
 
@@ -135,7 +113,7 @@ int main(int count, char** arguments) {
   using namespace floorline::cosim;
   const std::vector<std::string> words(arguments + 1, arguments + count);
   const std::map<std::string, void (*)()> parts = {
-      {"cycles", print_cycles}, {"speed", print_speed}, {"faults", print_faults}, {"soak", print_soak}};
+      {"cycles", print_cycles}, {"faults", print_faults}, {"soak", print_soak}};
   try {
     if (words.size() == 1 && parts.contains(words[0])) {
       parts.at(words[0])();
@@ -143,7 +121,7 @@ int main(int count, char** arguments) {
       print_pictures({words.begin() + 1, words.end()});
     } else {
       std::fprintf(stderr,
-                   "error: name the part to record: cycles, speed, faults, soak, or pictures FOLDER...\n");
+                   "error: name the part to record: cycles, faults, soak, or pictures FOLDER...\n");
       return 2;
     }
   } catch (const std::runtime_error& error) {
