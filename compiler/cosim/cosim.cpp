@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <sstream>
 
 #include "cosim/adapter.h"
@@ -68,12 +69,11 @@ class Simulation {
 
   int run() {
     write_files();
-    build_model();
-    build_program();
-    std::string command = "cd " + shell_word(cosim_.run_dir) +
-                          " && HLSC_STALL=" + std::to_string(cosim_.stall) + " " +
-                          shell_word((dir_ / "simulation").string());
-    return exit_code(std::system(command.c_str()));
+    build("model");
+    fs::remove(note());
+    int code = simulate("HLSC_STANDS_STILL=" + shell_word(note().string()), "");
+    if (word_in(note()) == "full") advise_depths();
+    return code;
   }
 
  private:
@@ -86,10 +86,50 @@ class Simulation {
 
   std::string model() const { return "V" + compiled_.interface.module; }
 
-  void build_model() {
-    std::string command = "verilator --cc --Mdir " + shell_word((dir_ / "model").string()) +
-                          " --top-module " + compiled_.interface.module +
-                          " -O3 --x-assign unique --x-initial unique -Wno-fatal -y " +
+  /// Written by a simulation that stands still.
+  fs::path note() const { return dir_ / "stands_still"; }
+
+  static std::string word_in(const fs::path& path) {
+    std::string word;
+    std::ifstream(path) >> word;
+    return word;
+  }
+
+  void build(const std::string& model_dir, const std::string& library = "") {
+    model_dir_ = dir_ / model_dir;
+    build_model(library);
+    build_program();
+  }
+
+  /// Runs the test bench; `environment` as NAME=VALUE words, `output` as a redirection.
+  int simulate(const std::string& environment, const std::string& output) const {
+    std::string command = "cd " + shell_word(cosim_.run_dir) +
+                          " && HLSC_STALL=" + std::to_string(cosim_.stall) + " " + environment + " " +
+                          shell_word((dir_ / "simulation").string()) + output;
+    return exit_code(std::system(command.c_str()));
+  }
+
+  /// Runs once more, with FIFOs that grow when nothing moves, and tells the depths with which it ends.
+  void advise_depths() {
+    build("growing", " -y " + shell_word(HLSC_COSIM_DIR "/growing"));
+    fs::path depths = dir_ / "depths";
+    fs::remove(depths);
+    simulate("HLSC_DEPTHS=" + shell_word(depths.string()),
+             " > " + shell_word((dir_ / "growing.log").string()) + " 2>&1");
+    if (!fs::exists(depths)) {
+      std::cerr << "  deeper FIFOs do not help\n";
+      return;
+    }
+    std::ifstream in(depths);
+    std::string stream;
+    for (int declared = 0, enough = 0; in >> stream >> declared >> enough;)
+      std::cerr << "  stream '" << stream << "': depth " << enough << " would do, it is " << declared << "\n";
+  }
+
+  void build_model(const std::string& library) {
+    std::string command = "verilator --cc --Mdir " + shell_word(model_dir_.string()) + " --top-module " +
+                          compiled_.interface.module +
+                          " -O3 --x-assign unique --x-initial unique -Wno-fatal" + library + " -y " +
                           shell_word(HLSC_RTL_LIB_DIR);
     if (!cosim_.trace.empty()) command += " --trace";
     for (const GeneratedFile& file : compiled_.files)
@@ -98,13 +138,14 @@ class Simulation {
   }
 
   void build_program() {
+    objects_.clear();
     std::string root = verilator_root();
     std::string define_trace = cosim_.trace.empty() ? " -DVM_TRACE=0" : " -DVM_TRACE=1 -DVM_TRACE_VCD=1";
     // The same words for every design, so that ccache knows the runtime.
     std::string runtime_flags = " -std=c++17 -O1 -w" + define_trace + " -I" + shell_word(root + "/include") +
                                 " -I" + shell_word(root + "/include/vltstd");
-    std::string flags = runtime_flags + " -I" + shell_word((dir_ / "model").string()) +
-                        " -I" HLSC_COSIM_DIR " -I" HLSC_TYPES_DIR;
+    std::string flags =
+        runtime_flags + " -I" + shell_word(model_dir_.string()) + " -I" HLSC_COSIM_DIR " -I" HLSC_TYPES_DIR;
     for (const std::string& include : options_.frontend.include_dirs) flags += " -I" + shell_word(include);
     for (const std::string& define : options_.frontend.defines) flags += " -D" + shell_word(define);
     flags += cosim_.trace.empty() ? " -DHLSC_TRACE=0"
@@ -117,7 +158,7 @@ class Simulation {
     for (const std::string& flag : cosim_.flags) bench_flags += " " + shell_word(flag);
     for (const std::string& bench : cosim_.test_benches) compile_source(bench, bench_flags);
     compile_source((dir_ / "adapter.cpp").string(), flags);
-    for (const auto& entry : fs::directory_iterator(dir_ / "model"))
+    for (const auto& entry : fs::directory_iterator(model_dir_))
       if (entry.path().extension() == ".cpp") compile_source(entry.path().string(), flags);
     // The test bench may hold the same helper functions as the design.
     std::string link = std::string(HLSC_CLANG) + " -fuse-ld=lld -Wl,-z,muldefs" + objects_ + " -pthread -o " +
@@ -147,7 +188,7 @@ class Simulation {
   const CompileOptions& options_;
   const CosimOptions& cosim_;
   WorkDirectory work_;
-  fs::path dir_;
+  fs::path dir_, model_dir_;
   std::string objects_;
 };
 

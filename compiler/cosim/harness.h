@@ -127,12 +127,13 @@ struct StreamPort {
 /// Cycle counts over all calls, told at exit on standard error.
 class Statistics {
  public:
-  explicit Statistics(const char* top) : top_(top) {}
+  /// `schedule`: the latency that the schedule tells; empty: none.
+  Statistics(const char* top, const char* schedule) : top_(top), schedule_(schedule) {}
   ~Statistics() {
     if (calls_ == 0) return;
-    std::fprintf(stderr, "cosim %s: %llu calls, latency %llu to %llu cycles, mean %.1f\n", top_,
+    std::fprintf(stderr, "cosim %s: %llu calls, latency %llu to %llu cycles, mean %.1f%s%s\n", top_,
                  (unsigned long long)calls_, (unsigned long long)least_, (unsigned long long)most_,
-                 double(total_) / calls_);
+                 double(total_) / calls_, *schedule_ ? "; by schedule " : "", schedule_);
   }
   void call(uint64_t cycles) {
     least_ = calls_ && least_ < cycles ? least_ : cycles;
@@ -142,14 +143,17 @@ class Statistics {
   }
 
  private:
-  const char* top_;
+  const char *top_, *schedule_;
   uint64_t calls_ = 0, least_ = 0, most_ = 0, total_ = 0;
 };
 
-/// Cycles without any transfer after which the design counts as dead; HLSC_TIMEOUT overrides.
+/// Cycles without any transfer after which the design counts as dead; HLSC_TIMEOUT overrides. A run that
+/// looks for FIFO depths (HLSC_DEPTHS) grows them soon: too early costs only depth.
 inline uint64_t idle_limit() {
-  static const uint64_t limit =
-      std::getenv("HLSC_TIMEOUT") ? std::strtoull(std::getenv("HLSC_TIMEOUT"), nullptr, 0) : 1000000;
+  static const uint64_t limit = std::getenv("HLSC_TIMEOUT")
+                                    ? std::strtoull(std::getenv("HLSC_TIMEOUT"), nullptr, 0)
+                                : std::getenv("HLSC_DEPTHS") ? 5000
+                                                             : 1000000;
   return limit;
 }
 

@@ -79,7 +79,7 @@ class Compilation {
   void add_process(Process process) {
     CompiledProcess compiled = scheduled(std::move(process));
     result_.files.push_back(
-        {compiled.process.name + ".v", emit_process(compiled.process, compiled.schedule)});
+        {compiled.process.name + ".v", emit_process(compiled.process, compiled.schedule, options_.has_probes)});
     result_.processes.push_back(std::move(compiled));
   }
 
@@ -91,10 +91,10 @@ class Compilation {
     region.head = head.process;
     result_.files.push_back({head.process.name + ".v", is_combinational(head.process)
                                                            ? emit_combinational(head.process)
-                                                           : emit_process(head.process, head.schedule)});
+                                                           : emit_process(head.process, head.schedule, options_.has_probes)});
     std::vector<const Process*> pointers;
     for (const CompiledProcess& compiled : result_.processes) pointers.push_back(&compiled.process);
-    return emit_dataflow_top(result_.top, region, pointers, modes);
+    return emit_dataflow_top(result_.top, region, pointers, modes, options_.has_probes);
   }
 
   const CompileOptions& options_;

@@ -23,6 +23,7 @@ struct CompileOptions {
   double period = 10;      ///< ns
   bool strict = false;     ///< The first warning is an error.
   StageObserver on_stage;  ///< May be empty.
+  bool has_probes = false;  ///< The modules tell a co-simulation what they do (verilog/emit_probes.h).
 };
 
 /// One generated file.

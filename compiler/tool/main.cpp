@@ -113,6 +113,7 @@ int main(int argc, char** argv) {
     apply(project, options, cosim_options);
     if (*cosim && cosim_options.test_benches.empty())
       throw hlsc::CompileError("there is no test bench; give --tb, or --config with tb.file");
+    options.has_probes = cosim->parsed();
     hlsc::CompileResult result = hlsc::compile(options);
     for (const std::string& warning : result.diagnostics.warnings) std::cerr << warning << "\n";
     if (*cosim) return hlsc::cosimulate(result, options, cosim_options);

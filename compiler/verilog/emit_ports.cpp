@@ -26,6 +26,7 @@ void ProcessEmitter::emit_stream(int index, Stalls& stalls) {
     Place at{op.block, schedule_.start[users[i]]};
     std::string wish = active(at) + (op.predicate == kNoValue ? "" : " & " + bit(op.predicate, at));
     std::string blocked = wish + " & ~" + stream.name + (stream.is_input ? "_empty_n" : "_full_n");
+    blocked_[users[i]] = blocked;
     std::string& sum = !is_loop(op.block)                  ? stalls.plain
                        : at.cycle <= split_stage(op.block) ? stalls.front[op.block]
                                                            : stalls.back[op.block];

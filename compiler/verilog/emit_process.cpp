@@ -10,8 +10,8 @@ std::string base_name(const std::string& path) { return path.substr(path.find_la
 
 }  // namespace
 
-ProcessEmitter::ProcessEmitter(const Process& process, const ProcessSchedule& schedule)
-    : process_(process), schedule_(schedule) {
+ProcessEmitter::ProcessEmitter(const Process& process, const ProcessSchedule& schedule, bool has_probes)
+    : process_(process), schedule_(schedule), has_probes_(has_probes) {
   for (const Operation& op : process.operations)
     if (!op.name.empty()) names_.unique(op.name);
   for (const Memory& memory : process.memories) names_.unique(memory.name);
@@ -93,7 +93,8 @@ std::string ProcessEmitter::assembled() {
   out << "            S_DONE: if (ap_continue) state <= S_IDLE;\n            default: state <= S_IDLE;\n";
   out << "        endcase\n        if (rst) begin\n            state <= S_IDLE;\n"
       << loop_resets() << resets_.str();
-  out << "        end\n    end\n" << data_block() << "\nendmodule\n\n`default_nettype wire\n";
+  out << "        end\n    end\n"
+      << data_block() << (has_probes_ ? probes() : "") << "\nendmodule\n\n`default_nettype wire\n";
   return out.str();
 }
 
@@ -160,8 +161,8 @@ std::string emit_combinational(const Process& process) {
   return ProcessEmitter(process, schedule).run_combinational();
 }
 
-std::string emit_process(const Process& process, const ProcessSchedule& schedule) {
-  return ProcessEmitter(process, schedule).run();
+std::string emit_process(const Process& process, const ProcessSchedule& schedule, bool has_probes) {
+  return ProcessEmitter(process, schedule, has_probes).run();
 }
 
 }  // namespace hlsc

@@ -18,7 +18,9 @@ namespace hlsc {
 /// A loop's pipeline has one clock enable. It stops when an access to a stream cannot go on; when II = 1, the
 /// stages behind the last read go on with bubbles while an input is empty, so that results do not wait for
 /// later inputs.
-std::string emit_process(const Process& process, const ProcessSchedule& schedule);
+///
+/// `has_probes`: with probes for co-simulation (emit_probes.h).
+std::string emit_process(const Process& process, const ProcessSchedule& schedule, bool has_probes);
 
 /// Whether a dataflow region's head needs no clock: one block without memory and loops.
 bool is_combinational(const Process& process);

@@ -4,6 +4,7 @@
 #include <set>
 #include <sstream>
 
+#include "verilog/emit_probes.h"
 #include "verilog/emit_process.h"
 #include "verilog/text.h"
 
@@ -63,7 +64,8 @@ constexpr unsigned kWideScalars = 8;
 
 class TopWriter {
  public:
-  TopWriter(const FunctionInfo& top, const PortModes& modes) : top_(top), modes_(modes) {
+  TopWriter(const FunctionInfo& top, const PortModes& modes, bool has_probes = false)
+      : top_(top), modes_(modes), has_probes_(has_probes) {
     interface_.module = top.name;
     interface_.clock = "ap_clk";
     std::string control = modes.mode("return");
@@ -99,6 +101,7 @@ class TopWriter {
   }
 
   TopModule dataflow(const Region& region, const std::vector<const Process*>& processes) {
+    if (has_probes_) body_ << probe_imports();
     for (const RegionStream& stream : region.streams) {
       if (stream.argument >= 0)
         add_stream(stream, stream.writer < 0);
@@ -233,6 +236,7 @@ class TopWriter {
           << "_full_n, " << name << "_write, " << name << "_empty_n, " << name << "_read;\n";
     fifo(name + "_fifo", stream.width, depth, {name + "_din", name + "_write", name + "_full_n"},
          {name + "_dout", name + "_empty_n", name + "_read"});
+    if (has_probes_) body_ << fifo_probe(name, depth);
   }
 
   static std::string member_name(const RegionChannel& channel, uint64_t byte_offset) {
@@ -315,6 +319,7 @@ class TopWriter {
       gate += " & " + channel.name + (writes ? "_free" : "_ready");
       ends +=
           "    assign " + channel.name + (writes ? "_written = " : "_taken = ") + instance.name + "_done;\n";
+      if (has_probes_) ends += gate_probe(instance.name, channel.name, !writes);
     }
     return out.str();
   }
@@ -565,6 +570,9 @@ class TopWriter {
     for (const std::string& memory_port : memory_ports_of(process))
       body_ << ",\n        ." << memory_port << "(" << outside_port(instance, memory_port) << ")";
     body_ << "\n    );\n";
+    for (size_t i = 0; i < process.streams.size() && has_probes_; ++i)
+      body_ << end_probe(name, process.streams[i].name, region.streams[instance.streams[i]].name,
+                         process.streams[i].is_input);
     dones_.push_back(done);
     frees_.push_back(ready);
   }
@@ -608,6 +616,7 @@ class TopWriter {
 
   const FunctionInfo& top_;
   const PortModes& modes_;
+  const bool has_probes_;
   TopInterface interface_;
   bool head_is_combinational_ = false;
   std::set<std::string> tied_;  ///< Memory ports of the instance at hand that lead to a channel.
@@ -622,8 +631,9 @@ TopModule emit_single_top(const FunctionInfo& top, const Process& process, const
 }
 
 TopModule emit_dataflow_top(const FunctionInfo& top, const Region& region,
-                            const std::vector<const Process*>& processes, const PortModes& modes) {
-  return TopWriter(top, modes).dataflow(region, processes);
+                            const std::vector<const Process*>& processes, const PortModes& modes,
+                            bool has_probes) {
+  return TopWriter(top, modes, has_probes).dataflow(region, processes);
 }
 
 }  // namespace hlsc

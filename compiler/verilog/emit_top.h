@@ -31,9 +31,10 @@ TopModule emit_single_top(const FunctionInfo& top, const Process& process, const
 
 /// A dataflow region. A start of the region puts the scalars of the run into a FIFO before each instance; an
 /// instance runs when its FIFO holds a start and its streams allow, so the first may be runs ahead of the
-/// last. The region is done when all instances are.
+/// last. The region is done when all instances are. `has_probes` as in emit_process.
 TopModule emit_dataflow_top(const FunctionInfo& top, const Region& region,
-                            const std::vector<const Process*>& processes, const PortModes& modes);
+                            const std::vector<const Process*>& processes, const PortModes& modes,
+                            bool has_probes);
 
 }  // namespace hlsc
 

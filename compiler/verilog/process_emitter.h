@@ -17,7 +17,7 @@ namespace hlsc {
 /// Writes one module. The parts add to text streams, one per place in the module; `assembled` joins them.
 class ProcessEmitter {
  public:
-  ProcessEmitter(const Process& process, const ProcessSchedule& schedule);
+  ProcessEmitter(const Process& process, const ProcessSchedule& schedule, bool has_probes = false);
   /// A head without state: its outputs follow its inputs.
   std::string run_combinational();
   std::string run();
@@ -145,14 +145,21 @@ class ProcessEmitter {
   void emit_stream_port(const Stream& stream, const std::string& strobe, const std::string& data);
   void emit_outputs();
 
+  // What a co-simulation is told (emit_probes.cpp)
+  std::string probes();
+  /// The mean interval between the iterations of a pipelined loop.
+  std::string loop_probe(int block);
+
   const Process& process_;
   const ProcessSchedule& schedule_;
+  const bool has_probes_;
   NameTable names_;
   std::vector<std::string> states_;
   std::vector<std::vector<std::string>> state_names_;  ///< By block and cycle.
   std::map<ValueId, int> copies_;
   std::set<ValueId> held_;
   std::map<int, std::vector<ValueId>> accesses_, stream_accesses_, outputs_;
+  std::map<ValueId, std::string> blocked_;  ///< When a stream access cannot go on.
   std::map<int, std::vector<std::string>> phi_starts_;
   std::ostringstream ports_, registers_, functions_, wires_, stalls_, bodies_, control_, cases_, resets_,
       data_, data_resets_;
