@@ -54,6 +54,8 @@ void ProcessBuilder::build_block(BasicBlock& block) {
   read_loop(block);
   for (Instruction& instruction : block)
     if (!instruction.isTerminator()) build_instruction(instruction);
+  bool ends_run = region_ && region_->is_loop && last_instance_call_->getParent() == &block;
+  if (ends_run) write_run(*last_instance_call_);
   if (auto* ret = dyn_cast<ReturnInst>(block.getTerminator()); ret && ret->getReturnValue()) {
     Operation output;
     output.kind = OpKind::kOutput;

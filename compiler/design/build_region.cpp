@@ -12,7 +12,8 @@ Region ProcessBuilder::build_region(const std::vector<Process>& processes) {
   region_processes_ = &processes;
   region.head = build();
   for (const RegionStream& stream : region.streams) check_ends(stream);
-  region.head.streams.clear();  // They pass the head by.
+  // The region's streams pass the head by; a loop's head has one of its own.
+  region.head.streams.erase(region.head.streams.begin(), region.head.streams.end() - region.is_loop);
   return region;
 }
 
@@ -32,6 +33,7 @@ int ProcessBuilder::process_called(const CallInst& call) const {
 }
 
 void ProcessBuilder::build_instance(CallInst& call, int index) {
+  note_loop(call);
   const Process& process = (*region_processes_)[index];
   Instance instance;
   instance.process = index;
@@ -51,6 +53,38 @@ void ProcessBuilder::build_instance(CallInst& call, int index) {
     instance.memories.push_back(memory_tie(call, *argument, memory));
   }
   region_->instances.push_back(instance);
+}
+
+void ProcessBuilder::note_loop(CallInst& call) {
+  const Loop* loop = loops_.getLoopFor(call.getParent());
+  if (!last_instance_call_) region_->is_loop = loop != nullptr;
+  const Loop* known = last_instance_call_ ? loops_.getLoopFor(last_instance_call_->getParent()) : loop;
+  if (loop != known || (loop && last_instance_call_ && call.getParent() != last_instance_call_->getParent()))
+    refuse(call,
+           "the processes of a DATAFLOW loop must be called in every iteration of that one loop; put other "
+           "calls into a function of their own");
+  last_instance_call_ = &call;
+}
+
+/// The runs' stream stands behind those of the parameters, and is the only one that stays (build_region).
+void ProcessBuilder::write_run(Instruction& source) {
+  Stream runs;
+  runs.name = names_.unique("runs");
+  Operation joined;
+  joined.kind = OpKind::kConcat;
+  for (size_t i = 0; i < run_values_.size(); ++i) {
+    const ScalarPort& port = region_->run_scalars[i];
+    joined.operands.push_back(resized(run_values_[i], port.width, port.is_signed, source));
+    runs.width += port.width;
+  }
+  joined.type_width = runs.width;
+  Operation write;
+  write.kind = OpKind::kWrite;
+  write.object = 0;
+  write.operands = {runs.width ? add(joined, source, "run") : constant_value(APInt(1, 0))};
+  runs.width = std::max(1u, runs.width);
+  add(write, source, "runs_write");
+  process_.streams.push_back(runs);
 }
 
 MemoryTie ProcessBuilder::memory_tie(CallInst& call, Argument& argument, const Memory& memory) {
@@ -187,13 +221,19 @@ int ProcessBuilder::region_scalar(CallInst& call, const Process& process, int in
   output.is_output = true;
   output.argument = -1;
   output.instance = region_->instances.size();
-  Operation set;
-  set.kind = OpKind::kOutput;
-  set.operands = {actual->getType()->isPointerTy() ? pointed_scalar(call, actual, port) : value_of(actual)};
-  set.object = process_.scalars.size();
-  process_.scalars.push_back(output);
-  add(set, call, output.name + "_set");
-  return set.object;
+  ValueId value = actual->getType()->isPointerTy() ? pointed_scalar(call, actual, port) : value_of(actual);
+  region_->run_scalars.push_back(output);
+  if (region_->is_loop) {
+    run_values_.push_back(value);
+  } else {
+    Operation set;
+    set.kind = OpKind::kOutput;
+    set.operands = {value};
+    set.object = process_.scalars.size();
+    process_.scalars.push_back(output);
+    add(set, call, output.name + "_set");
+  }
+  return region_->run_scalars.size() - 1;
 }
 
 ValueId ProcessBuilder::pointed_scalar(CallInst& call, Value* pointer, const ScalarPort& port) {

@@ -198,8 +198,9 @@ struct Instance {
   int process = 0;  ///< Index in the list of processes the region was built with.
   std::string name;
   std::vector<int> streams;  ///< By the process' stream: index in Region::streams.
-  std::vector<int>
-      scalars;  ///< By the process' scalar: index in Region::head.scalars; -1: Region::scalars tie it.
+  /// By the process' scalar: an input's index in Region::run_scalars, an output's in Region::head.scalars; -1:
+  /// Region::scalars tie it.
+  std::vector<int> scalars;
   std::vector<MemoryTie> memories;
   std::vector<ChannelPort> channels;
 };
@@ -232,10 +233,13 @@ struct RegionScalar {
   int output = -1, input = -1;   ///< Scalar ports of their processes.
 };
 
-/// A dataflow region. `head` computes at the start of a run the scalars that the instances take (outputs of
-/// the head with `instance` >= 0); a FIFO of starts before each instance lets runs overlap.
+/// A dataflow region. `head` computes at the start of a run the scalars that the instances take (its outputs
+/// with `instance` >= 0); a FIFO of starts before each instance lets runs overlap. Where the calls stand in a
+/// loop, each iteration is a run: the head is the loop, and writes the run's scalars to its only stream.
 struct Region {
   Process head;
+  bool is_loop = false;
+  std::vector<ScalarPort> run_scalars;  ///< In the order in which a loop's head joins them, lowest first.
   std::vector<Instance> instances;
   std::vector<RegionStream> streams;
   std::vector<RegionChannel> channels;

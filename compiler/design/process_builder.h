@@ -208,6 +208,10 @@ class ProcessBuilder {
   /// Refuses a local stream without writer or reader.
   void check_ends(const RegionStream& stream) const;
   void build_instance(llvm::CallInst& call, int index);
+  /// Refuses calls in several loops, or in a loop and outside.
+  void note_loop(llvm::CallInst& call);
+  /// At the end of a loop's iteration: the head starts a run.
+  void write_run(llvm::Instruction& source);
   MemoryTie memory_tie(llvm::CallInst& call, llvm::Argument& argument, const Memory& memory);
   ChannelPort channel_port(llvm::CallInst& call, llvm::Value* array, const Memory& memory);
   RegionChannel new_channel(llvm::CallInst& call, llvm::Value* array);
@@ -234,6 +238,8 @@ class ProcessBuilder {
   llvm::ScalarEvolution evolution_;
   Region* region_ = nullptr;
   const std::vector<Process>* region_processes_ = nullptr;
+  llvm::CallInst* last_instance_call_ = nullptr;
+  std::vector<ValueId> run_values_;  ///< Of a loop's iteration, as Region::run_scalars.
   std::map<std::pair<llvm::Value*, uint64_t>, int> region_streams_;
   std::map<llvm::Value*, int> region_channels_;
   /// Local scalars that an instance has set: that instance and its port.

@@ -226,12 +226,7 @@ void resolve_loop_directives(Module& module, DirectiveTable& table, Diagnostics&
         diagnostics.warn(where, "pragma '" + kind + "' is not known and has no effect");
       } else if (kRegionKinds.count(kind)) {
         Loop* loop = loops.getLoopFor(marker.call->getParent());
-        if (loop && kind == "DATAFLOW")
-          throw CompileError(
-              where,
-              "DATAFLOW acts in a function; put the loop into each process and DATAFLOW into the "
-              "function that calls them");
-        if (loop)
+        if (loop && kind != "DATAFLOW")
           attach_to_loop(*loop, marker.directive);
         else if (kind == "UNROLL" || kind == "LOOP_TRIPCOUNT")
           diagnostics.warn(where, "pragma '" + kind +

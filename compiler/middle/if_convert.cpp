@@ -3,6 +3,7 @@
 #include <llvm/Analysis/LoopIterator.h>
 
 #include "middle/primitives.h"
+#include "middle/source_location.h"
 
 namespace hlsc {
 namespace {
@@ -166,8 +167,12 @@ class IfConverter {
     instruction.moveBefore(*merged_, merged_->end());
     builder_.SetInsertPoint(merged_);
     if (always) return;
-    if (auto* call = dyn_cast<CallInst>(&instruction); call && primitive_of(*call) != Primitive::kNone)
+    auto* call = dyn_cast<CallInst>(&instruction);
+    if (call && primitive_of(*call) != Primitive::kNone)
       predicate_call(*call, predicate);
+    else if (call && call->getCalledFunction() && !call->getCalledFunction()->isDeclaration())
+      throw CompileError(nearest_location(*call),
+                         "this call of a DATAFLOW loop stands in a branch; put the branch into the process");
     else if (instruction.getOpcode() == Instruction::UDiv || instruction.getOpcode() == Instruction::SDiv ||
              instruction.getOpcode() == Instruction::URem || instruction.getOpcode() == Instruction::SRem)
       guard_divisor(instruction, predicate);

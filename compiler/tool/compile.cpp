@@ -91,7 +91,7 @@ class Compilation {
     region.head = head.process;
     result_.files.push_back({head.process.name + ".v", is_combinational(head.process)
                                                            ? emit_combinational(head.process)
-                                                           : emit_process(head.process, head.schedule, options_.has_probes)});
+                                                           : emit_process(head.process, head.schedule, /*has_probes=*/false)});
     std::vector<const Process*> pointers;
     for (const CompiledProcess& compiled : result_.processes) pointers.push_back(&compiled.process);
     return emit_dataflow_top(result_.top, region, pointers, modes, options_.has_probes);

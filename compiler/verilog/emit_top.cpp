@@ -101,6 +101,7 @@ class TopWriter {
   }
 
   TopModule dataflow(const Region& region, const std::vector<const Process*>& processes) {
+    processes_ = processes;
     if (has_probes_) body_ << probe_imports();
     for (const RegionStream& stream : region.streams) {
       if (stream.argument >= 0)
@@ -117,7 +118,7 @@ class TopWriter {
     size_t count = region.instances.size();
     for (size_t i = 0; i < count; ++i) add_instance(region, i, *processes[region.instances[i].process]);
     for (const RegionScalar& scalar : region.scalars) add_region_scalar(region, scalar);
-    add_run_control(count);
+    add_run_control(region.is_loop);
     return finished();
   }
 
@@ -469,15 +470,13 @@ class TopWriter {
 
   void add_head(const Region& region) {
     body_ << "\n    // Scalars of a run, taken when it starts.\n";
-    bool has_outputs = false;
-    for (const ScalarPort& scalar : region.head.scalars) {
-      if (scalar.instance < 0) continue;
+    for (const ScalarPort& scalar : region.run_scalars)
       body_ << "    wire" << range_text(scalar.width) << " " << scalar.name << ";\n";
-      has_outputs = true;
-    }
+    bool has_outputs = !region.run_scalars.empty();
     if (!interface_.has_start) body_ << "    wire ap_start = 1'b1;\n";
     head_is_combinational_ = is_combinational(region.head);
     body_ << "    wire starts_free, run_starts;\n";
+    if (region.is_loop) return add_loop_head(region);
     if (!head_is_combinational_)
       body_ << "    wire head_done;\n    assign run_starts = head_done & starts_free;\n";
     if (head_is_combinational_) body_ << "    assign run_starts = ap_start & starts_free;\n";
@@ -490,6 +489,11 @@ class TopWriter {
                ".ap_ready()";
       separator = ",\n        ";
     }
+    add_head_scalars(region, separator);
+    body_ << "\n    );\n";
+  }
+
+  void add_head_scalars(const Region& region, std::string separator) {
     std::set<int> by_instance = outputs_of_instances(region);
     for (size_t i = 0; i < region.head.scalars.size(); ++i) {
       if (by_instance.count(i)) continue;
@@ -499,15 +503,41 @@ class TopWriter {
       if (scalar.has_valid())
         body_ << separator << "." << scalar.name << "_ap_vld(" << scalar.name << "_ap_vld)";
     }
+  }
+
+  /// The loop writes the scalars of a run when it starts one. It is done when it has ended and all its runs
+  /// have.
+  void add_loop_head(const Region& region) {
+    const Stream& runs = region.head.streams[0];
+    body_ << "    wire" << range_text(runs.width) << " runs;\n    wire head_done, head_idle, loop_ends;\n";
+    unsigned low = 0;
+    for (const ScalarPort& scalar : region.run_scalars) {
+      body_ << "    assign " << scalar.name << " = " << bits_of("runs", runs.width, low, scalar.width)
+            << ";\n";
+      low += scalar.width;
+    }
+    body_ << "    " << region.head.name << " head (\n        .clk(ap_clk),\n        .rst(rst),\n        "
+          << ".ap_start(ap_start),\n        .ap_continue(loop_ends),\n        .ap_done(head_done),\n        "
+          << ".ap_idle(head_idle),\n        .ap_ready(),\n        ." << runs.name << "_din(runs),\n        ."
+          << runs.name << "_full_n(starts_free),\n        ." << runs.name << "_write(run_starts)";
+    add_head_scalars(region, ",\n        ");
     body_ << "\n    );\n";
   }
 
+  static std::string bits_of(const std::string& name, unsigned bits, unsigned low, unsigned width) {
+    if (bits == 1) return name;
+    std::string high = width == 1 ? "" : std::to_string(low + width - 1) + ":";
+    return name + "[" + high + std::to_string(low) + "]";
+  }
+
   /// Outputs of the top that an instance drives, not the head.
-  static std::set<int> outputs_of_instances(const Region& region) {
+  std::set<int> outputs_of_instances(const Region& region) const {
     std::set<int> driven;
-    for (const Instance& instance : region.instances)
-      for (int scalar : instance.scalars)
-        if (scalar >= 0 && region.head.scalars[scalar].instance < 0) driven.insert(scalar);
+    for (const Instance& instance : region.instances) {
+      const std::vector<ScalarPort>& ports = processes_[instance.process]->scalars;
+      for (size_t i = 0; i < ports.size(); ++i)
+        if (ports[i].is_output && instance.scalars[i] >= 0) driven.insert(instance.scalars[i]);
+    }
     return driven;
   }
 
@@ -518,7 +548,7 @@ class TopWriter {
     unsigned width = 0;
     for (size_t i = 0; i < process.scalars.size(); ++i) {
       if (process.scalars[i].is_output || instance.scalars[i] < 0) continue;
-      inputs.push_back(region.head.scalars[instance.scalars[i]].name);
+      inputs.push_back(region.run_scalars[instance.scalars[i]].name);
       width += process.scalars[i].width;
     }
     std::string start = name + "_start", done = name + "_done", ready = name + "_start_free";
@@ -553,17 +583,13 @@ class TopWriter {
     for (size_t i = 0; i < process.scalars.size(); ++i) {
       if (instance.scalars[i] < 0) continue;
       const ScalarPort& scalar = process.scalars[i];
-      const std::string& outside = region.head.scalars[instance.scalars[i]].name;
       if (scalar.is_output) {
+        const std::string& outside = region.head.scalars[instance.scalars[i]].name;
         body_ << ",\n        ." << scalar.name << "(" << outside << ")";
         if (scalar.has_valid()) body_ << ",\n        ." << scalar.name << "_ap_vld(" << outside << "_ap_vld)";
         continue;
       }
-      std::string part = width == 1          ? taken
-                         : scalar.width == 1 ? taken + "[" + std::to_string(low) + "]"
-                                             : taken + "[" + std::to_string(low + scalar.width - 1) + ":" +
-                                                   std::to_string(low) + "]";
-      body_ << ",\n        ." << scalar.name << "(" << part << ")";
+      body_ << ",\n        ." << scalar.name << "(" << bits_of(taken, width, low, scalar.width) << ")";
       low += scalar.width;
     }
     add_memories(process, instance.memories);
@@ -577,8 +603,10 @@ class TopWriter {
     frees_.push_back(ready);
   }
 
-  /// Counts the runs each instance has finished; the region's run is done when all have finished it.
-  void add_run_control(size_t count) {
+  /// Counts the runs each instance has finished; the region's run is done when all have finished it. A loop's
+  /// runs are no calls of the top.
+  void add_run_control(bool is_loop) {
+    size_t count = dones_.size();
     std::string free, all;
     body_ << "\n    // Runs that an instance has finished and the region has not; at most 7 are under way.\n";
     for (size_t i = 0; i < count; ++i) {
@@ -590,8 +618,14 @@ class TopWriter {
     std::string proceed = interface_.has_continue ? "ap_continue" : "1'b1";
     body_ << "    reg [2:0] under_way;\n    assign starts_free = " << free
           << " & (under_way != 3'd7);\n    wire run_done = " << all << ";\n    wire run_leaves = run_done & "
-          << proceed << ";\n";
-    if (interface_.has_start)
+          << (is_loop ? "1'b1" : proceed) << ";\n";
+    if (is_loop) {
+      body_ << "    wire loop_done = head_done & (under_way == 3'd0);\n    assign loop_ends = loop_done & "
+            << proceed << ";\n";
+      if (interface_.has_start)
+        body_ << "    assign ap_done = loop_done;\n    assign ap_ready = loop_ends;\n    assign ap_idle = "
+                 "head_idle;\n";
+    } else if (interface_.has_start)
       body_ << "    assign ap_done = run_done;\n    assign ap_ready = run_starts;\n    assign ap_idle = "
                "(under_way == 3'd0);\n";
     body_ << "    always @(posedge ap_clk) begin\n";
@@ -619,7 +653,8 @@ class TopWriter {
   const bool has_probes_;
   TopInterface interface_;
   bool head_is_combinational_ = false;
-  std::set<std::string> tied_;  ///< Memory ports of the instance at hand that lead to a channel.
+  std::set<std::string> tied_;             ///< Memory ports of the instance at hand that lead to a channel.
+  std::vector<const Process*> processes_;  ///< Of a region.
   std::vector<std::string> dones_, frees_;
   std::ostringstream ports_, body_;
 };
