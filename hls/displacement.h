@@ -67,8 +67,9 @@ void displacement(hls::stream<Change>& in, hls::stream<ap_uint<1> >& out, Size w
   WindowSum gradients = {};
   ap_int<24> bound = parameters.bound;
   // Row `height` holds no pixels, just the end of the last row's windows.
+  bool windows_wait = true;
 PIXELS:
-  for (RasterPosition at(width, height); at.inside || (at.v == height && at.u < REACH); at.advance()) {
+  for (RasterPosition at(width, height); at.inside || windows_wait; at.advance()) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT + REACH
     Change change = {0, 0};
@@ -77,7 +78,9 @@ PIXELS:
     const Sum texture = gradients.take(above(change.gradient, parameters.noise), at.u);
     const ap_int<29> scaled = ap_int<29>(moved) << 16;  // as the bound
     if (at.v != 0 || at.u >= REACH) out.write(scaled > bound * texture);
-    if (at.v != 0 && at.u == REACH - 1) bound = bound + parameters.bound_step;
+    const bool row_complete = at.v != 0 && at.u == REACH - 1;
+    if (row_complete) bound = bound + parameters.bound_step;
+    if (row_complete && !at.inside) windows_wait = false;
   }
 }
 

@@ -178,8 +178,9 @@ COMPARE:
   for (LongMultiplication at; at.column < 9; at.advance()) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 27 max = 27
-    difference =
-        difference + at.product<6>(b_denominator, a_numerator) - at.product<6>(a_denominator, b_numerator);
+    const ap_int<2 * LIMB_BITS + 1> term =
+        at.product<6>(b_denominator, a_numerator) - at.product<6>(a_denominator, b_numerator);
+    difference = difference + term;
     if (at.column_end()) {
       if (Limb(difference) != 0) differs = true;
       difference = difference >> LIMB_BITS;
@@ -312,11 +313,11 @@ SCORES:
       const ap_int<27> score = (ap_int<27>(deviation_logarithm) << 1) - result;
       const ap_int<27> surely_above = score - WINDOW;
       const ap_int<27> maybe_above = score + WINDOW;
-      const ap_uint<9> place = surely_above > best_score ? ap_uint<9>(0) : contender_count;
+      const bool restarts = surely_above > best_score;
       if (maybe_above >= best_score) {
         const Contender<W> contender = {level, deviation, below};
-        contenders[Pixel(place)] = contender;
-        contender_count = place + 1;
+        contenders[restarts ? Pixel(0) : Pixel(contender_count)] = contender;
+        contender_count = restarts ? ap_uint<9>(1) : ap_uint<9>(contender_count + 1);
       }
       if (score > best_score) best_score = score;
     }

@@ -228,6 +228,7 @@ void polar(hls::stream<Mask>& mask, hls::stream<ap_uint<1> >& moves, hls::stream
   const Size free_columns = width < LINE_SLACK ? Size(0) : Size(width - LINE_SLACK);
   const ap_uint<9> walked = line_count < free_columns ? line_count : ap_uint<9>(free_columns);
   const Size tail = LINE_DELAY + walked;
+  const Size last_step = tail - 1;
   Taps taps = {};
   Size high_before = 0;
 
@@ -237,8 +238,9 @@ void polar(hls::stream<Mask>& mask, hls::stream<ap_uint<1> >& moves, hls::stream
   }
 
   // Row `height` holds no pixels, just the steps of the lines in the last row.
+  bool steps_wait = true;
 CYCLES:
-  for (RasterPosition at(width, height); at.inside || (at.v == height && at.u < tail); at.advance()) {
+  for (RasterPosition at(width, height); at.inside || steps_wait; at.advance()) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT + MAX_LINES
 // True: a line reads its row LINE_DELAY or more steps after that was written and LINE_SLACK - LINE_DELAY or
@@ -293,6 +295,7 @@ CYCLES:
         counts.write(count);
       }
     }
+    if (!streaming && at.u == last_step) steps_wait = false;
   }
 
   const Contact end = {0, 0, 0, 0, 0, 1};
