@@ -7,10 +7,12 @@ namespace hlsc {
 namespace {
 
 const Target kTargets[] = {
-    {"xc6v", 0.75, 0.95, 0.030, 3.6, 2.1, 0.8, 1.8, 25, 18},
-    {"xc7", 0.65, 0.85, 0.025, 3.2, 2.1, 0.7, 1.6, 25, 18},
-    // Yosys uses no output registers of DP16KD and MULT18X18D: 5.8 ns and 3.9 ns without routing.
-    {"ecp5", 0.95, 1.30, 0.060, 5.2, 7.4, 1.2, 2.4, 18, 18},
+    {"xc6v", 0.75, 1.125, 0.95, 0.030, 3.6, 2.1, 0.8, 1.8, 25, 18, 0, 0},
+    {"xc7", 0.65, 0.975, 0.85, 0.025, 3.2, 2.1, 0.7, 1.6, 25, 18, 0, 0},
+    // Speed grade 6, as nextpnr places it: a LUT is 0.24 ns and its routing 0.6 to 1.2, a carry chain 0.45 +
+    // 0.036 a bit + 0.44. Yosys uses no output registers of DP16KD and MULT18X18D: 5.8 ns and 3.9 ns without
+    // routing.
+    {"ecp5", 1.05, 2.1, 1.80, 0.036, 5.2, 7.4, 1.2, 3.6, 18, 18, 16384, 3.5},
 };
 
 double adder(const Target& target, unsigned bits) { return target.carry_base + target.carry_bit * bits; }
@@ -30,6 +32,12 @@ const Target& target_named(const std::string& name) {
   for (const Target& target : kTargets)
     if (target.name == name) return target;
   throw CompileError("target '" + name + "' is not known; choose xc6v, xc7 or ecp5");
+}
+
+bool is_deep(const Target& target, const Memory& memory) {
+  bool starts_as_zero = memory.initial.empty() || (memory.initial.size() == 1 && memory.initial[0].isZero());
+  return memory.kind == MemoryKind::kRam && starts_as_zero && target.block_words &&
+         memory.depth > target.block_words;
 }
 
 double delay_of(const Target& target, const Process& process, const Operation& operation) {
@@ -58,7 +66,7 @@ double delay_of(const Target& target, const Process& process, const Operation& o
     case OpKind::kCompare: {
       unsigned width = std::max(bits(0), bits(1));
       bool is_equality = operation.compare == CompareKind::kEq || operation.compare == CompareKind::kNe;
-      if (is_equality && width <= 12) return target.logic * (width <= 3 ? 1 : 1.5);
+      if (is_equality && width <= 12) return width <= 3 ? target.logic : target.equality;
       return width <= 3 ? target.logic : adder(target, width);
     }
     case OpKind::kSelect:

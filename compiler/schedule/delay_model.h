@@ -12,6 +12,7 @@ namespace hlsc {
 struct Target {
   std::string name;
   double logic;       ///< One LUT level and routing, ns.
+  double equality;    ///< Two values of 4 to 12 bits compared for equality, with routing, ns.
   double carry_base;  ///< An adder without its carry chain, ns.
   double carry_bit;   ///< Per bit of the carry chain, ns.
   double multiply;    ///< One multiplier block, ns.
@@ -19,10 +20,15 @@ struct Target {
   double registers;   ///< Clock to output of a register with routing, ns.
   double stall;       ///< From a predicate through the stall logic to a clock enable, ns.
   unsigned multiplier_wide, multiplier_narrow;  ///< Signed operand widths of a multiplier block.
+  unsigned block_words;                         ///< A RAM of more words is a deep_ram (rtl/lib); 0: none is.
+  double reach;                                 ///< From a register to the far blocks of a deep_ram, ns.
 };
 
 /// xc6v (Virtex-6), xc7 (7-series) or ecp5; throws CompileError for another name.
 const Target& target_named(const std::string& name);
+
+/// Whether reads of this memory take two cycles, as it spans several blocks in depth.
+bool is_deep(const Target& target, const Memory& memory);
 
 /// Delay from the operands of `operation` to its result, ns.
 double delay_of(const Target& target, const Process& process, const Operation& operation);

@@ -93,13 +93,17 @@ class BlockScheduler {
       if (op.kind == OpKind::kLoad && process_.memories[op.object].load_latency > 0) {
         node.latency = process_.memories[op.object].load_latency;
         node.delay = 0;
-        node.output_delay = options_.target.memory;
+        node.output_delay =
+            is_deep(op) ? options_.target.registers + 2 * options_.target.logic : options_.target.memory;
       }
+      if (op.is_memory_access() && is_deep(op)) node.tail = options_.target.reach;
       if (op.is_stream_access()) node.tail = options_.target.stall;
       problem_.operations.push_back(node);
     }
     problem_.period = options_.period * (1 - options_.margin);
   }
+
+  bool is_deep(const Operation& access) const { return process_.memories[access.object].load_latency > 1; }
 
   void data(ValueId from, int to, int distance = 0) {
     auto found = node_.find(from);

@@ -67,6 +67,8 @@ class Compilation {
     remove_dead(process);
     join_aggregates(process, result_.diagnostics);
     tell("simplify", process);
+    for (Memory& memory : process.memories)
+      if (is_deep(schedule_options_.target, memory)) memory.load_latency = 2;
     CompiledProcess made{process, schedule_process(process, schedule_options_, result_.diagnostics)};
     tell("schedule", made.process, &made.schedule);
     return made;

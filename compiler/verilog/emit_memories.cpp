@@ -36,6 +36,8 @@ ProcessEmitter::PortSignals ProcessEmitter::port_of(const Memory& memory,
     const Operation& op = process_[users[i]];
     Place at{op.block, schedule_.start[users[i]]};
     std::string when = kind == OpKind::kLoad ? happens(at) : happens(op, at);
+    if (kind == OpKind::kLoad && memory.load_latency > 1)
+      port.output_enable += (i ? " | (" : "(") + happens({op.block, at.cycle + 1}) + ")";
     port.enable += (i ? " | " : "") + (users.size() > 1 ? "(" + when + ")" : when);
     std::string address = text(op.operands[0], address_bits(memory.depth), at);
     std::string data = kind == OpKind::kStore ? text(op.operands[1], memory.width, at) : "";
@@ -61,20 +63,24 @@ void ProcessEmitter::emit_ram(const Memory& memory, const std::vector<ValueId>& 
   auto or_zero = [](const std::string& value, unsigned width) {
     return value.empty() ? std::to_string(width) + "'d0" : value;
   };
-  if (memory.initial.empty()) {
-    bodies_ << "\n    ram_1r1w #(\n        .WIDTH(" << memory.width << "),\n        .DEPTH(" << memory.depth
-            << "),\n        .ADDRESS_WIDTH(" << address << ")\n    ) " << name
-            << " (\n        .clk(clk),\n        .write_enable(" << or_zero(write.enable, 1)
-            << "),\n        .write_address(" << or_zero(write.address, address) << "),\n        .write_data("
-            << or_zero(write.data, memory.width) << "),\n        .read_enable(" << read.enable
-            << "),\n        .read_address(" << read.address << "),\n        .read_data(" << name
-            << "_q)\n    );\n";
+  bool is_deep = memory.load_latency > 1;
+  if (memory.initial.empty() || is_deep) {
+    bodies_ << "\n    " << (is_deep ? "deep_ram" : "ram_1r1w") << " #(\n        .WIDTH(" << memory.width
+            << "),\n        .DEPTH(" << memory.depth << "),\n        .ADDRESS_WIDTH(" << address
+            << ")\n    ) " << name << " (\n        .clk(clk),\n        .write_enable("
+            << or_zero(write.enable, 1) << "),\n        .write_address(" << or_zero(write.address, address)
+            << "),\n        .write_data(" << or_zero(write.data, memory.width) << "),\n        .read_enable("
+            << read.enable << "),\n        .read_address(" << read.address << "),\n"
+            << (is_deep ? "        .output_enable(" + read.output_enable + "),\n" : "")
+            << "        .read_data(" << name << "_q)\n    );\n";
     return;
   }
   std::string array = names_.unique(name + "_words"), q = names_.unique(name + "_read");
-  bodies_ << (is_block_rom(memory) ? "\n    (* ram_style = \"block\" *)" : "") << "\n    reg"
-          << range_text(memory.width) << " " << array << " [0:" << memory.depth - 1 << "];\n    reg"
-          << range_text(memory.width) << " " << q << ";\n    assign " << name << "_q = " << q << ";\n";
+  // What a read of the word being written gives is never used: the scheduler keeps both apart.
+  std::string attribute = is_block_rom(memory) ? "ram_style = \"block\"" : "no_rw_check";
+  bodies_ << "\n    (* " << attribute << " *)\n    reg" << range_text(memory.width) << " " << array
+          << " [0:" << memory.depth - 1 << "];\n    reg" << range_text(memory.width) << " " << q
+          << ";\n    assign " << name << "_q = " << q << ";\n";
   emit_initial_words(memory, array);
   bodies_ << "    always @(posedge clk) begin\n";
   if (!write.enable.empty())

@@ -39,6 +39,7 @@ class ProcessEmitter {
   };
   struct PortSignals {
     std::string enable, address, data;
+    std::string output_enable;  ///< Of a deep RAM: its word is taken over, a cycle after the address.
   };
 
   // The module (emit_process.cpp)

@@ -1,0 +1,77 @@
+// RAM of many blocks, with a register behind each block: one write port, one read port, one clock.
+//
+// As ram_1r1w, but a read takes two cycles: read_enable takes the address, output_enable the word in a later cycle. What chooses among
+// the blocks lies behind their registers, so that the way from a block to the logic, often across the die, has a cycle of its own.
+// A read of the address that is written in the same cycle is undefined. Contents start as zero, as those of block RAM do.
+
+`default_nettype none
+
+module deep_ram #(
+    parameter WIDTH         = 8,      // bits of a word, 1 or more
+    parameter DEPTH         = 65536,  // words, more than one block's
+    parameter ADDRESS_WIDTH = 16,     // bits of an address, the least with 2^ADDRESS_WIDTH >= DEPTH
+    parameter BLOCK_ADDRESS = 14      // bits of an address within a block
+) (
+    input  wire                     clk,
+
+    input  wire                     write_enable,
+    input  wire [ADDRESS_WIDTH-1:0] write_address,
+    input  wire [WIDTH-1:0]         write_data,
+
+    input  wire                     read_enable,
+    input  wire [ADDRESS_WIDTH-1:0] read_address,
+    input  wire                     output_enable,
+    output wire [WIDTH-1:0]         read_data
+);
+
+    localparam BLOCK_DEPTH  = 1 << BLOCK_ADDRESS;
+    localparam BLOCKS       = (DEPTH + BLOCK_DEPTH - 1) / BLOCK_DEPTH;
+    localparam CHOICE_WIDTH = ADDRESS_WIDTH - BLOCK_ADDRESS;
+
+    reg  [CHOICE_WIDTH-1:0] read_choice_reg;
+    reg  [CHOICE_WIDTH-1:0] output_choice_reg;
+    wire [WIDTH-1:0]        outputs [0:BLOCKS-1];
+
+    assign read_data = outputs[output_choice_reg];
+
+    always @(posedge clk) begin
+        if (read_enable)
+            read_choice_reg <= read_address[ADDRESS_WIDTH-1:BLOCK_ADDRESS];
+        if (output_enable)
+            output_choice_reg <= read_choice_reg;
+    end
+
+    genvar block;
+    generate
+        for (block = 0; block < BLOCKS; block = block + 1) begin : blocks
+            localparam [CHOICE_WIDTH-1:0] CHOICE = block;
+            localparam WORDS = (block == BLOCKS - 1) ? DEPTH - block * BLOCK_DEPTH : BLOCK_DEPTH;
+
+            (* no_rw_check *)
+            reg [WIDTH-1:0] memory [0:WORDS-1];
+            reg [WIDTH-1:0] read_reg;
+            reg [WIDTH-1:0] output_reg;
+
+            assign outputs[block] = output_reg;
+
+            always @(posedge clk) begin
+                if (write_enable && write_address[ADDRESS_WIDTH-1:BLOCK_ADDRESS] == CHOICE)
+                    memory[write_address[BLOCK_ADDRESS-1:0]] <= write_data;
+                if (read_enable)
+                    read_reg <= memory[read_address[BLOCK_ADDRESS-1:0]];
+                if (output_enable)
+                    output_reg <= read_reg;
+            end
+
+`ifndef SYNTHESIS
+            integer index;
+            initial
+                for (index = 0; index < WORDS; index = index + 1)
+                    memory[index] = {WIDTH{1'b0}};
+`endif
+        end
+    endgenerate
+
+endmodule
+
+`default_nettype wire
