@@ -11,4 +11,5 @@
 # Results: tables here, and JSON under build/synth, kept until a source or a tool changes; --record also keeps them in records/synth.
 source "$(dirname "$0")/common.sh"
 [ "${1:-}" = tables ] || ./scripts/setup.sh
+case "${1:-}" in ecp5 | sweep) build release floorline-hlsc ;; esac  # their Verilog is compiled first
 exec .venv/bin/python scripts/synth/synth.py "$@"

@@ -21,10 +21,11 @@ import sys
 
 import yaml
 
+import compiled
 import report
 import shell
+from common import ROOT, fail, say
 
-ROOT = pathlib.Path(__file__).resolve().parents[2]
 HERE = pathlib.Path(__file__).resolve().parent
 RECORDS = ROOT / "records/synth"
 TARGETS = ("xc6v", "xc7", "ecp5")
@@ -44,14 +45,6 @@ ECP5 = {
     "LUT4": Cost(1, 0, 0, 0), "CCU2C": Cost(2, 0, 0, 0), "TRELLIS_DPR16X4": Cost(4, 0, 0, 0), "TRELLIS_FF": Cost(0, 1, 0, 0),
     "DP16KD": Cost(0, 0, 1, 0), "MULT18X18D": Cost(0, 0, 0, 1),
 }
-
-
-def fail(message):
-    sys.exit(f"error: {message}")
-
-
-def say(message):
-    print(f"==> {message}", file=sys.stderr, flush=True)
 
 
 def tool(name):
@@ -97,12 +90,12 @@ def content_key(files, *told):
 class Design:
     """One entry of designs.yaml for one target: its sources, and where its files and its result are."""
 
-    def __init__(self, name, target, entry=None):
+    def __init__(self, name, target, entry=None, size=compiled.VGA):
         entry = entry or entries().get(name) or fail(f"there is no design '{name}'; choose from: {', '.join(entries())}.")
         self.name, self.target, self.top = name, target, entry["top"]
         self.parameters = entry.get("parameters", {})
         self.parts_of = entry.get("parts_of", [])
-        self.sources = matching(entry["sources"])
+        self.sources = matching(compiled.located(pattern, target, size) for pattern in entry["sources"])
         self.folder = ROOT / "build/synth" / target / name
         self.folder.mkdir(parents=True, exist_ok=True)
         self.record = RECORDS / f"{target}-{name}.json"

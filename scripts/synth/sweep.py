@@ -1,57 +1,24 @@
 """The accelerator at other maxima than VGA: its top is hls/accelerator.cpp with another configuration, compiled by floorline-hlsc."""
 
-import re
-import subprocess
-
 import yaml
 
+import compiled
 import flow
 import report
 
 SIZES = ((320, 240), (640, 480), (1280, 720), (1920, 1080))
-COMPILER = flow.ROOT / "build/release/bin/floorline-hlsc"
-VGA = "floorline::VgaConfig"
-
-
-def configuration(width, height):
-    """The AcceleratorConfig of a size: VGA's lines, and rows of the frame ring beyond a frame's in VGA's proportion."""
-    text = (flow.ROOT / "hls/accelerator.h").read_text()
-    vga = re.search(r"typedef AcceleratorConfig<(\d+), (\d+), (\d+), (\d+)> VgaConfig;", text)
-    if vga is None:
-        flow.fail("hls/accelerator.h no longer defines VgaConfig as an AcceleratorConfig of four numbers; see scripts/synth/sweep.py.")
-    _, rows, margin, lines = map(int, vga.groups())
-    return f"floorline::AcceleratorConfig<{width}, {height}, {margin * height // rows}, {lines}>"
-
-
-def generate(width, height):
-    """Verilog of the accelerator for frames up to this size; returns its folder, relative to the root."""
-    folder = flow.ROOT / f"build/synth/sizes/{width}x{height}"
-    folder.mkdir(parents=True, exist_ok=True)
-    if not COMPILER.exists():
-        flow.fail("the compiler is not built; run 'cmake --preset release' and 'ninja -C build/release floorline-hlsc'.")
-    source = (flow.ROOT / "hls/accelerator.cpp").read_text()
-    if VGA not in source:
-        flow.fail(f"hls/accelerator.cpp no longer names {VGA}; scripts/synth/sweep.py puts another size in its place.")
-    top = folder / "accelerator.cpp"
-    top.write_text(source.replace(VGA, configuration(width, height)))
-    done = subprocess.run([COMPILER, "compile", top, "--top", "floorline_accelerator", "-I", flow.ROOT / "hls", "--std", "c++11",
-                           "--target", "xc6v", "-o", folder / "rtl"], cwd=flow.ROOT, capture_output=True, text=True)
-    if done.returncode:
-        flow.fail(f"the compiler refuses {width}x{height}: {done.stderr.strip()}")
-    return folder.relative_to(flow.ROOT) / "rtl"
 
 
 def name(width, height):
     """What the design of a size is called; VGA's is the one that the project ships."""
-    return "top" if (width, height) == (640, 480) else f"top_{width}x{height}"
+    return "top" if (width, height) == compiled.VGA else f"top_{width}x{height}"
 
 
 def design(width, height, target):
     if name(width, height) == "top":
         return flow.Design("top", target)
     entry = dict(flow.entries()["top"], parameters={"MAX_WIDTH": width, "MAX_HEIGHT": height})
-    entry["sources"] = ["rtl/*.v", "rtl/lib/*.v", f"{generate(width, height)}/*.v"]
-    return flow.Design(name(width, height), target, entry)
+    return flow.Design(name(width, height), target, entry, (width, height))
 
 
 def devices():
