@@ -407,6 +407,7 @@ module cluster (
     assign for_11_ce = ~((for_11_active[1] & both_10 & ~obstacles_full_n));
 
 
+    (* no_rw_check *)
     reg [102:0] candidates_words [0:255];
     reg [102:0] candidates_read;
     assign candidates_q = candidates_read;

@@ -122,6 +122,7 @@ module erode (
     assign for_3_front_ce = for_3_ce & ~((for_3_active[0] & both_2 & ~in_empty_n));
 
 
+    (* no_rw_check *)
     reg [3:0] rows_above_words [0:639];
     reg [3:0] rows_above_read;
     assign rows_above_q = rows_above_read;

@@ -488,6 +488,7 @@ module frame_ring (
     assign for_3_front_ce = for_3_ce & ~((for_3_active[0] & ~in_empty_n));
 
 
+    (* no_rw_check *)
     reg [30:0] word_words [0:127];
     reg [30:0] word_read;
     assign word_q = word_read;
@@ -625,6 +626,7 @@ module frame_ring (
         if (for_3_active[0] & for_3_front_ce) word_read <= word_words[shifted_3];
     end
 
+    (* no_rw_check *)
     reg [7:0] even_even_words [0:81919];
     reg [7:0] even_even_read;
     assign even_even_q = even_even_read;
@@ -639,6 +641,7 @@ module frame_ring (
         if (for_3_active[4] & for_3_ce) even_even_read <= even_even_words[sum_11];
     end
 
+    (* no_rw_check *)
     reg [7:0] even_odd_words [0:81919];
     reg [7:0] even_odd_read;
     assign even_odd_q = even_odd_read;
@@ -653,6 +656,7 @@ module frame_ring (
         if (for_3_active[4] & for_3_ce) even_odd_read <= even_odd_words[sum_12];
     end
 
+    (* no_rw_check *)
     reg [7:0] odd_even_words [0:81919];
     reg [7:0] odd_even_read;
     assign odd_even_q = odd_even_read;
@@ -667,6 +671,7 @@ module frame_ring (
         if (for_3_active[4] & for_3_ce) odd_even_read <= odd_even_words[sum_13];
     end
 
+    (* no_rw_check *)
     reg [7:0] odd_odd_words [0:81919];
     reg [7:0] odd_odd_read;
     assign odd_odd_q = odd_odd_read;

@@ -134,6 +134,7 @@ module gaussian (
     assign for_2_front_ce = for_2_ce & ~((for_2_active[0] & both_2 & ~in_empty_n));
 
 
+    (* no_rw_check *)
     reg [15:0] rows_above_words [0:639];
     reg [15:0] rows_above_read;
     assign rows_above_q = rows_above_read;
