@@ -34,7 +34,7 @@ def plain(text):
 
     text = re.sub(r"// synthesis translate_off\b.*?// synthesis translate_on\b", blank, text, flags=re.DOTALL)
     text = re.sub(r"//[^\n]*|/\*.*?\*/|\"(?:\\.|[^\"\n])*\"", blank, text, flags=re.DOTALL)
-    return re.sub(rf"`ifdef\s+SIMULATION\b.*?`endif|{CONTENTS}", blank, text, flags=re.DOTALL)
+    return re.sub(rf"`(?:ifdef\s+SIMULATION|ifndef\s+SYNTHESIS)\b.*?`endif|{CONTENTS}", blank, text, flags=re.DOTALL)
 
 
 def faults(text):

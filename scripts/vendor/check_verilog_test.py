@@ -23,6 +23,9 @@ module good #(parameter WIDTH = 8) (input wire clk, input wire [WIDTH-1:0] a, ou
 `ifdef SIMULATION
     initial $display("only in simulation");
 `endif
+`ifndef SYNTHESIS
+    initial memory[3] = 0;
+`endif
 endmodule
 """
 

@@ -20,6 +20,7 @@ project set top floorline_ml605
 
 project set "Optimization Goal" "Speed" -process "Synthesize - XST"
 project set "Optimization Effort" "High" -process "Synthesize - XST"
+project set "Verilog Macros" "SYNTHESIS" -process "Synthesize - XST"
 project set "Register Balancing" "No" -process "Synthesize - XST"
 project set "Shift Register Extraction" true -process "Synthesize - XST"
 project set "RAM Extraction" true -process "Synthesize - XST"
