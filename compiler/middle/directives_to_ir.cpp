@@ -15,7 +15,8 @@ constexpr const char* kLoopTag = "hls.directive";
 
 /// Directives on a loop or a function; the others need a variable or a port.
 const std::set<std::string> kRegionKinds = {"PIPELINE",       "UNROLL",     "DATAFLOW",
-                                            "LOOP_TRIPCOUNT", "DEPENDENCE", "INLINE"};
+                                            "LOOP_TRIPCOUNT", "DEPENDENCE", "INLINE",
+                                            "LOOP_FLATTEN"};
 const std::set<std::string> kObjectKinds = {"ARRAY_PARTITION", "BIND_STORAGE", "RESOURCE",
                                             "STREAM",          "DEPENDENCE",   "AGGREGATE",
                                             "DISAGGREGATE",    "DATA_PACK",    "STABLE"};
@@ -23,8 +24,8 @@ const std::set<std::string> kObjectKinds = {"ARRAY_PARTITION", "BIND_STORAGE", "
 /// Accepted, because they change neither results nor handshakes, but without effect.
 const std::set<std::string> kIgnoredKinds = {
     "ALLOCATION",           "ARRAY_MAP", "ARRAY_RESHAPE", "BIND_OP",    "EXPRESSION_BALANCE",
-    "FUNCTION_INSTANTIATE", "LATENCY",   "LOOP_FLATTEN",  "LOOP_MERGE", "OCCURRENCE",
-    "PERFORMANCE",          "PROTOCOL",  "RESET",         "SHARED",     "TOP"};
+    "FUNCTION_INSTANTIATE", "LATENCY",   "LOOP_MERGE",    "OCCURRENCE", "PERFORMANCE",
+    "PROTOCOL",             "RESET",     "SHARED",        "TOP"};
 
 struct Marker {
   CallInst* call;
@@ -69,6 +70,15 @@ MDNode* string_node(LLVMContext& context, ArrayRef<std::string> words) {
   SmallVector<Metadata*, 4> parts;
   for (const std::string& word : words) parts.push_back(MDString::get(context, word));
   return MDNode::get(context, parts);
+}
+
+/// The directive that an operand of a loop's metadata holds, if any.
+std::optional<Directive> directive_of(const Metadata* operand) {
+  auto* node = dyn_cast<MDNode>(operand);
+  if (!node || node->getNumOperands() != 2) return std::nullopt;
+  auto* tag = dyn_cast<MDString>(node->getOperand(0));
+  if (!tag || tag->getString() != kLoopTag) return std::nullopt;
+  return parse_directive(cast<MDString>(node->getOperand(1))->getString().str());
 }
 
 void add_loop_metadata(Loop& loop, ArrayRef<Metadata*> extra) {
@@ -214,10 +224,7 @@ void resolve_loop_directives(Module& module, DirectiveTable& table, Diagnostics&
         continue;
       }
       if (kIgnoredKinds.count(kind)) {
-        bool asks_nothing = kind == "LOOP_FLATTEN" && marker.directive.has("off");
-        if (!asks_nothing)
-          diagnostics.warn(where,
-                           "pragma '" + kind + "' has no effect here; results are the same without it");
+        diagnostics.warn(where, "pragma '" + kind + "' has no effect here; results are the same without it");
         marker.call->eraseFromParent();
         continue;
       }
@@ -228,7 +235,7 @@ void resolve_loop_directives(Module& module, DirectiveTable& table, Diagnostics&
         Loop* loop = loops.getLoopFor(marker.call->getParent());
         if (loop && kind != "DATAFLOW")
           attach_to_loop(*loop, marker.directive);
-        else if (kind == "UNROLL" || kind == "LOOP_TRIPCOUNT")
+        else if (kind == "UNROLL" || kind == "LOOP_TRIPCOUNT" || kind == "LOOP_FLATTEN")
           diagnostics.warn(where, "pragma '" + kind +
                                       "' stands in no loop and has no effect; move it into the body of one");
         else
@@ -261,15 +268,22 @@ std::optional<Directive> loop_directive(const Loop& loop, const std::string& kin
   MDNode* id = loop.getLoopID();
   if (!id) return std::nullopt;
   std::optional<Directive> found;
-  for (const MDOperand& operand : drop_begin(id->operands())) {
-    auto* node = dyn_cast<MDNode>(operand);
-    if (!node || node->getNumOperands() != 2) continue;
-    auto* tag = dyn_cast<MDString>(node->getOperand(0));
-    if (!tag || tag->getString() != kLoopTag) continue;
-    Directive directive = parse_directive(cast<MDString>(node->getOperand(1))->getString().str());
-    if (directive.kind == kind) found = directive;
-  }
+  for (const MDOperand& operand : drop_begin(id->operands()))
+    if (std::optional<Directive> directive = directive_of(operand); directive && directive->kind == kind)
+      found = directive;
   return found;
+}
+
+MDNode* with_directive(MDNode* id, const Directive& directive, LLVMContext& context) {
+  SmallVector<Metadata*, 8> parts = {nullptr};
+  if (id)
+    for (const MDOperand& operand : drop_begin(id->operands()))
+      if (std::optional<Directive> other = directive_of(operand); !other || other->kind != directive.kind)
+        parts.push_back(operand);
+  parts.push_back(string_node(context, {kLoopTag, to_text(directive)}));
+  MDNode* made = MDNode::getDistinct(context, parts);
+  made->replaceOperandWith(0, made);
+  return made;
 }
 
 std::optional<Directive> function_directive(const Function& function, const std::string& kind) {

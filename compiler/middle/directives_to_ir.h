@@ -16,7 +16,9 @@
 namespace llvm {
 class BasicBlock;
 class Function;
+class LLVMContext;
 class Loop;
+class MDNode;
 class Module;
 }  // namespace llvm
 
@@ -56,6 +58,9 @@ void resolve_object_directives(llvm::Module& module, DirectiveTable& table, Diag
 
 /// The directive of `kind` on a loop, if there is one.
 std::optional<Directive> loop_directive(const llvm::Loop& loop, const std::string& kind);
+
+/// A loop's metadata with `directive` in place of the one of its kind.
+llvm::MDNode* with_directive(llvm::MDNode* id, const Directive& directive, llvm::LLVMContext& context);
 
 /// The directive of `kind` in whose body the function's own code stands (not in a loop).
 std::optional<Directive> function_directive(const llvm::Function& function, const std::string& kind);

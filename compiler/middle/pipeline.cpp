@@ -33,6 +33,7 @@
 
 #include "middle/array_access.h"
 #include "middle/dataflow_regions.h"
+#include "middle/flatten.h"
 #include "middle/host_calls.h"
 #include "middle/if_convert.h"
 #include "middle/llvm_headers.h"
@@ -299,12 +300,6 @@ void prepare_regions(const Program& program, Optimizer& optimizer) {
   }
 }
 
-/// Innermost loops that run as pipelines: all but those with `PIPELINE off`.
-bool is_pipelined(const Loop& loop) {
-  std::optional<Directive> directive = loop_directive(loop, "PIPELINE");
-  return loop.isInnermost() && !(directive && directive->has("off"));
-}
-
 /// Complains of loops that were to dissolve and did not, because their trip count is not known.
 void check_unrolled(Function& function, Diagnostics& diagnostics) {
   DominatorTree dominators(function);
@@ -312,8 +307,7 @@ void check_unrolled(Function& function, Diagnostics& diagnostics) {
   for (Loop* loop : loops.getLoopsInPreorder()) {
     std::optional<Directive> unroll = loop_directive(*loop, "UNROLL");
     if (!unroll || unroll->has("factor")) continue;
-    SourceLocation where =
-        loop->getStartLoc() ? location_of(loop->getStartLoc()) : nearest_location(loop->getHeader()->front());
+    SourceLocation where = location_of(*loop);
     if (!unroll->has("implied"))
       throw CompileError(where,
                          "the loop cannot be unrolled because its trip count is not known; give UNROLL "
@@ -343,7 +337,7 @@ void convert_loops(Function& function, Optimizer& optimizer) {
 
 }  // namespace
 
-MiddleResult run_middle(Program& program, Diagnostics& diagnostics) {
+MiddleResult run_middle(Program& program, const LoopChoice& keeps_apart, Diagnostics& diagnostics) {
   Module& module = *program.module;
   MiddleResult result;
   remove_host_calls(module, diagnostics);
@@ -372,6 +366,9 @@ MiddleResult run_middle(Program& program, Diagnostics& diagnostics) {
     accesses_to_primitives(function);
   }
   for (const std::string& name : result.processes) check_unrolled(*module.getFunction(name), diagnostics);
+  for (const std::string& name : result.processes)
+    for (const SourceLocation& place : flatten_loops(*module.getFunction(name), keeps_apart, diagnostics))
+      result.flattened.push_back(place);
   for (const std::string& name : result.processes) convert_loops(*module.getFunction(name), optimizer);
   optimizer.functions().clear();
   optimizer.clean_flat_code();

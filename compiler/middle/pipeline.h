@@ -3,6 +3,7 @@
 #ifndef HLSC_MIDDLE_PIPELINE_H
 #define HLSC_MIDDLE_PIPELINE_H
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,10 +16,15 @@ struct MiddleResult {
   DirectiveTable directives;
   /// Mangled names of the functions that become modules; the top last.
   std::vector<std::string> processes;
+  std::vector<SourceLocation> flattened;  ///< Loops that were several.
 };
 
-/// Inlines everything into the processes, optimises, unrolls as asked, and if-converts the innermost loops.
-MiddleResult run_middle(Program& program, Diagnostics& diagnostics);
+/// Chooses loops by the place where they begin.
+using LoopChoice = std::function<bool(const SourceLocation&)>;
+
+/// Inlines everything into the processes, optimises, unrolls as asked, flattens nests except those of
+/// `keeps_apart` (flatten.h), and if-converts the innermost loops.
+MiddleResult run_middle(Program& program, const LoopChoice& keeps_apart, Diagnostics& diagnostics);
 
 }  // namespace hlsc
 

@@ -1,5 +1,8 @@
 #include "tool/compile.h"
 
+#include <algorithm>
+#include <set>
+
 #include "design/aggregate.h"
 #include "design/build.h"
 #include "design/constant_multiply.h"
@@ -18,16 +21,24 @@
 namespace hlsc {
 namespace {
 
+/// Places of loops in the source, as text.
+using Places = std::set<std::string>;
+
+/// One pass through the compiler.
 class Compilation {
  public:
-  Compilation(const CompileOptions& options, CompileResult& result)
+  /// `apart`: loops that are not flattened.
+  Compilation(const CompileOptions& options, const Places& apart)
       : options_(options),
-        result_(result),
+        apart_(apart),
         program_(parse_program(options.frontend)),
         schedule_options_(schedule_options(options)) {}
 
   void run() {
-    MiddleResult middle = run_middle(program_, result_.diagnostics);
+    MiddleResult middle = run_middle(
+        program_, [&](const SourceLocation& place) { return apart_.count(place.text()) > 0; },
+        result_.diagnostics);
+    for (const SourceLocation& place : middle.flattened) flattened_.insert(place.text());
     auto top = program_.functions.find(program_.top);
     if (top == program_.functions.end())
       throw CompileError("the parameters of '" + options_.frontend.top +
@@ -47,6 +58,28 @@ class Compilation {
                                  : emit_single_top(result_.top, result_.processes[0].process, modes);
     result_.interface = module.interface;
     result_.files.push_back({result_.top.name + ".v", module.text});
+  }
+
+  CompileResult& result() { return result_; }
+
+  /// The greatest II of the pipelined loops that begin at `place`, and the II asked for.
+  std::pair<int, int> interval(const std::string& place) const {
+    std::pair<int, int> found{0, 1};
+    for (const CompiledProcess& compiled : result_.processes)
+      for (size_t i = 0; i < compiled.process.blocks.size(); ++i) {
+        const Block& block = compiled.process.blocks[i];
+        if (block.is_loop && block.location.text() == place)
+          found = std::max(found, {compiled.schedule.blocks[i].ii, std::max(1, block.wanted_ii)});
+      }
+    return found;
+  }
+
+  /// Flattened loops that do not reach their II.
+  Places slow_nests() const {
+    Places slow;
+    for (const std::string& place : flattened_)
+      if (auto [ii, asked] = interval(place); ii > asked) slow.insert(place);
+    return slow;
   }
 
  private:
@@ -100,11 +133,30 @@ class Compilation {
   }
 
   const CompileOptions& options_;
-  CompileResult& result_;
+  Places apart_, flattened_;
+  CompileResult result_;
   Program program_;
   ScheduleOptions schedule_options_;
   NameTable names_;
 };
+
+/// Nests are flattened where that costs no II: those that miss theirs are tried apart.
+CompileResult compile_best(const CompileOptions& options) {
+  Compilation flat(options, {});
+  flat.run();
+  const Places slow = flat.slow_nests();
+  if (slow.empty()) return std::move(flat.result());
+  Compilation separate(options, slow);
+  separate.run();
+  Places apart;
+  for (const std::string& place : slow)
+    if (separate.interval(place) < flat.interval(place)) apart.insert(place);
+  if (apart.empty()) return std::move(flat.result());
+  if (apart == slow) return std::move(separate.result());
+  Compilation mixed(options, apart);
+  mixed.run();
+  return std::move(mixed.result());
+}
 
 }  // namespace
 
@@ -116,8 +168,7 @@ ScheduleOptions schedule_options(const CompileOptions& options) {
 }
 
 CompileResult compile(const CompileOptions& options) {
-  CompileResult result;
-  Compilation(options, result).run();
+  CompileResult result = compile_best(options);
   const std::vector<std::string>& warnings = result.diagnostics.warnings;
   if (options.strict && !warnings.empty()) throw StrictWarning(warnings[0]);
   return result;

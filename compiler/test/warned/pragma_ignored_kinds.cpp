@@ -37,7 +37,7 @@ int pragma_ignored_kinds(const int a[16], int b) {
 // warning: 13:9: pragma 'SHARED' has no effect here; results are the same without it
 // warning: 15:9: pragma 'ARRAY_RESHAPE' has no effect here; results are the same without it
 // warning: 16:9: pragma 'ARRAY_MAP' has no effect here; results are the same without it
-// warning: 18:9: pragma 'LOOP_FLATTEN' has no effect here; results are the same without it
 // warning: 19:9: pragma 'OCCURRENCE' has no effect here; results are the same without it
 // warning: 23:9: pragma 'BIND_OP' has no effect here; results are the same without it
 // warning: 25:9: pragma 'PROTOCOL' has no effect here; results are the same without it
+// warning: 17:3: the loop is not flattened: there is no loop around it
