@@ -211,7 +211,7 @@ void reset_once() {
     for (size_t i = 0; i < ports_.streams.size(); ++i) drive_stream(i);
     out_ << "    settle();\n";
     if (has_control)
-      out_ << "    if (dut().ap_done && !done) {\n      done = true;\n      done_cycle = cycle_count + 1;\n  "
+      out_ << "    if (dut().ap_done && !done) {\n      done = true;\n      done_cycle = cycle_count;\n  "
               "  }\n    bool accepted = dut().ap_ready;\n";
     for (size_t i = 0; i < ports_.streams.size(); ++i) sample_stream(i);
     for (size_t i = 0; i < ports_.memories.size(); ++i) sample_memory(i);

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -44,6 +45,16 @@ class Probes {
   }
   void fifo(const std::string& name, const Fifo& fifo) { fifos_[name] = fifo; }
   void loop(const Loop& loop) { loops_.push_back(loop); }
+  /// An access of a later iteration came before one of an earlier iteration to the same word.
+  void dependence(const std::string& who, const std::string& array, const std::string& early,
+                  const std::string& late, int distance) {
+    if (!told_.insert({who, array}).second) return;
+    std::fprintf(
+        stderr,
+        "warning: DEPENDENCE false of '%s' in '%s' does not hold: %s comes before %s of %d iteration%s "
+        "earlier, to the same element\n",
+        array.c_str(), name_of(who).c_str(), early.c_str(), late.c_str(), distance, distance == 1 ? "" : "s");
+  }
   int extra_places(const std::string& stream) const {
     auto found = extra_.find(stream);
     return found == extra_.end() ? 0 : found->second;
@@ -153,7 +164,8 @@ class Probes {
       partners_;  ///< Stream and whether its reader -> process.
   std::map<std::string, Fifo> fifos_;
   std::vector<Loop> loops_;
-  std::map<std::string, int> extra_;  ///< Places that streams have been given.
+  std::set<std::pair<std::string, std::string>> told_;  ///< Processes and arrays out of order.
+  std::map<std::string, int> extra_;                    ///< Places that streams have been given.
 };
 
 /// The last name of a path of instances: top.inst -> inst.
@@ -176,6 +188,9 @@ void hlsc_loop(const char* who, const char* name, const char* place, int ii, lon
                long long cycles) {
   hlsc_cosim::Probes::all().loop(
       {hlsc_cosim::last_name(who), name, place, ii, uint64_t(intervals), uint64_t(cycles)});
+}
+void hlsc_dependence(const char* who, const char* name, const char* early, const char* late, int distance) {
+  hlsc_cosim::Probes::all().dependence(hlsc_cosim::last_name(who), name, early, late, distance);
 }
 int hlsc_extra_places(const char* who) {
   std::string name = hlsc_cosim::last_name(who);  // Of the FIFO: STREAM_fifo.

@@ -43,7 +43,8 @@ class Flattener {
     BasicBlock* entry = outer_.getLoopPreheader();
     MDNode* id = inner_.getLoopID();
     values_to_memory();
-    slots_.push_back(new AllocaInst(Type::getInt1Ty(context_), 0, "first", function_.getEntryBlock().begin()));
+    slots_.push_back(
+        new AllocaInst(Type::getInt1Ty(context_), 0, "first", function_.getEntryBlock().begin()));
 
     BasicBlock* header = make_block(inner_header->getName() + ".nest");
     IRBuilder<> builder(header);
@@ -54,7 +55,8 @@ class Flattener {
     lead(entry, outer_header, header, true);
     lead(outer_latch, outer_header, latch, true);
     lead(inner_latch, inner_header, latch, false);
-    std::string told = "LOOP_TRIPCOUNT min=" + std::to_string(trips.least) + " max=" + std::to_string(trips.most);
+    std::string told =
+        "LOOP_TRIPCOUNT min=" + std::to_string(trips.least) + " max=" + std::to_string(trips.most);
     for (const std::string& directive : {told, std::string(kFlattened)})
       id = with_directive(id, parse_directive(directive), context_);
     latch->getTerminator()->setMetadata(LLVMContext::MD_loop, id);
@@ -66,8 +68,8 @@ class Flattener {
  private:
   BasicBlock* make_block(const Twine& name) { return BasicBlock::Create(context_, name, &function_); }
 
-  /// Turns the edge from `from` to `old_target` to `target`; the next iteration is a first one of the inner loop
-  /// when `begins`.
+  /// Turns the edge from `from` to `old_target` to `target`; the next iteration is a first one of the inner
+  /// loop when `begins`.
   void lead(BasicBlock* from, BasicBlock* old_target, BasicBlock* target, bool begins) {
     BasicBlock* step = make_block(from->getName() + ".step");
     IRBuilder<> builder(step);
@@ -149,7 +151,8 @@ bool is_wanted(const Loop& inner) {
 /// The innermost loop to flatten next, or null.
 Loop* next_nest(LoopInfo& loops, const std::function<bool(const SourceLocation&)>& keeps_apart) {
   for (Loop* loop : loops.getLoopsInPreorder())
-    if (is_pipelined(*loop) && hindrance(*loop).empty() && is_wanted(*loop) && !keeps_apart(location_of(*loop)))
+    if (is_pipelined(*loop) && hindrance(*loop).empty() && is_wanted(*loop) &&
+        !keeps_apart(location_of(*loop)))
       return loop;
   return nullptr;
 }

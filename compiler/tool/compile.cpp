@@ -113,8 +113,8 @@ class Compilation {
 
   void add_process(Process process) {
     CompiledProcess compiled = scheduled(std::move(process));
-    result_.files.push_back(
-        {compiled.process.name + ".v", emit_process(compiled.process, compiled.schedule, options_.has_probes)});
+    result_.files.push_back({compiled.process.name + ".v",
+                             emit_process(compiled.process, compiled.schedule, options_.has_probes)});
     result_.processes.push_back(std::move(compiled));
   }
 
@@ -124,9 +124,10 @@ class Compilation {
     Region region = build_region(program_, middle, processes);
     CompiledProcess head = scheduled(region.head);
     region.head = head.process;
-    result_.files.push_back({head.process.name + ".v", is_combinational(head.process)
-                                                           ? emit_combinational(head.process)
-                                                           : emit_process(head.process, head.schedule, /*has_probes=*/false)});
+    result_.files.push_back(
+        {head.process.name + ".v", is_combinational(head.process)
+                                       ? emit_combinational(head.process)
+                                       : emit_process(head.process, head.schedule, /*has_probes=*/false)});
     std::vector<const Process*> pointers;
     for (const CompiledProcess& compiled : result_.processes) pointers.push_back(&compiled.process);
     return emit_dataflow_top(result_.top, region, pointers, modes, options_.has_probes);

@@ -1,5 +1,7 @@
 #include "verilog/emit_probes.h"
 
+#include <algorithm>
+
 #include "verilog/process_emitter.h"
 
 namespace hlsc {
@@ -7,6 +9,10 @@ namespace hlsc {
 namespace {
 
 std::string quoted(const std::string& text) { return "\"" + text + "\""; }
+
+std::string access_text(const Operation& op) {
+  return (op.kind == OpKind::kLoad ? "the read at " : "the write at ") + op.location.text();
+}
 
 }  // namespace
 
@@ -22,6 +28,8 @@ std::string probe_imports() {
                                            input int most);
     import "DPI-C" function void hlsc_loop(input string who, input string name, input string place,
                                            input int ii, input longint intervals, input longint cycles);
+    import "DPI-C" function void hlsc_dependence(input string who, input string name, input string early,
+                                                 input string late, input int distance);
 )";
 }
 
@@ -59,7 +67,11 @@ std::string ProcessEmitter::probes() {
         << quoted(op.location.text()) << ", " << (op.kind == OpKind::kRead ? 1 : 0) << ");\n";
   }
   for (size_t block = 0; block < process_.blocks.size(); ++block)
-    if (is_loop(block)) out << loop_probe(block);
+    if (is_loop(block)) {
+      out << loop_probe(block);
+      for (size_t memory = 0; memory < process_.memories.size(); ++memory)
+        if (process_.memories[memory].independent) out << dependence_probe(block, memory);
+    }
   return out.str();
 }
 
@@ -77,6 +89,57 @@ std::string ProcessEmitter::loop_probe(int block) {
       << ";\n            end\n        end\n    end\n    final if (" << intervals
       << " != 0) hlsc_loop($sformatf(\"%m\"), " << quoted(loop.name) << ", " << quoted(loop.location.text())
       << ", " << timing(block).ii << ", " << intervals << ", " << cycles << ");\n";
+  return out.str();
+}
+
+/// Every access counts its iterations and notes for each word the last one in which it was there. An access
+/// that comes to a word which one of a later iteration has had before it is out of order. Iterations behind
+/// the last one are taken back, so it is told when the loop has ended.
+std::string ProcessEmitter::dependence_probe(int block, int memory) {
+  std::vector<ValueId> users;
+  for (ValueId id : accesses_[memory])
+    if (process_[id].block == block) users.push_back(id);
+  std::sort(users.begin(), users.end(),
+            [&](ValueId a, ValueId b) { return schedule_.start[a] < schedule_.start[b]; });
+  const Memory& array = process_.memories[memory];
+  const std::string stem = names_.unique("probe_" + block_of(block).name + "_" + array.name);
+  const std::string words = " [0:" + std::to_string((uint64_t{1} << address_bits(array.depth)) - 1) + "];\n";
+  std::ostringstream declared, cleared, noted, told;
+  declared << "    int " << stem << "_ended = 0;\n    reg " << stem << "_runs = 1;\n";
+  std::string ended = happens({block, timing(block).length - 1});
+  for (size_t y = 0; y < users.size(); ++y) {
+    const Operation& late = process_[users[y]];
+    Place at{block, schedule_.start[users[y]]};
+    std::string name = stem + "_" + std::to_string(y), here = happens(at), taken = happens(late, at);
+    std::string address = text(late.operands[0], address_bits(array.depth), at);
+    declared << "    int " << name << "_count = 0, " << name << "_last" << words;
+    cleared << "            " << name << "_count = 0;\n            for (int i = 0; i < " << array.depth
+            << "; i++) " << name << "_last[i] = -1;\n";
+    noted << "            if (" << taken << ") " << name << "_last[" << address << "] = " << name
+          << "_count;\n";
+    for (size_t x = 0; x < y; ++x) {
+      const Operation& early = process_[users[x]];
+      if (early.kind == OpKind::kLoad && late.kind == OpKind::kLoad) continue;
+      std::string other = stem + "_" + std::to_string(x) + "_last[" + address + "]",
+                  pair = name + "_" + std::to_string(x);
+      declared << "    int " << pair << "_distance = 0, " << pair << "_iteration = 0;\n";
+      cleared << "            if (" << pair << "_distance > 0 && " << pair << "_iteration < " << stem
+              << "_ended)\n                hlsc_dependence($sformatf(\"%m\"), " << quoted(array.name) << ", "
+              << quoted(access_text(early)) << ", " << quoted(access_text(late)) << ", " << pair
+              << "_distance);\n            " << pair << "_distance = 0;\n";
+      told << "            if (" << taken << " && " << other << " > " << name << "_count && " << pair
+           << "_distance == 0) begin\n                " << pair << "_distance = " << other << " - " << name
+           << "_count;\n                " << pair << "_iteration = " << other << ";\n            end\n";
+    }
+    told << "            if (" << here << ") " << name << "_count = " << name << "_count + 1;\n";
+  }
+  std::ostringstream out;
+  out << declared.str() << "    always @(posedge clk)\n        if (rst || state != " << state_name(block, 0)
+      << ") begin if (" << stem << "_runs) begin\n"
+      << cleared.str() << "            " << stem << "_ended = 0;\n            " << stem
+      << "_runs = 0;\n        end end else begin\n            " << stem << "_runs = 1;\n"
+      << noted.str() << told.str() << "            if (" << ended << ") " << stem << "_ended = " << stem
+      << "_ended + 1;\n        end\n";
   return out.str();
 }
 

@@ -150,6 +150,8 @@ class ProcessEmitter {
   std::string probes();
   /// The mean interval between the iterations of a pipelined loop.
   std::string loop_probe(int block);
+  /// Whether the accesses of an array with DEPENDENCE inter false keep the order of the program.
+  std::string dependence_probe(int block, int memory);
 
   const Process& process_;
   const ProcessSchedule& schedule_;
