@@ -207,7 +207,7 @@ void reset_once() {
     if (has_control) out_ << "  dut().ap_start = 1;\n";
     if (ports_.has_continue) out_ << "  dut().ap_continue = 1;\n";
     out_ << "  // After the end, what is still on its way out comes out.\n  while (!done || quiet < "
-         << (has_control ? "16" : "4096") << ") {\n    bool moved = false;\n";
+         << (has_control ? "16" : "4096") << ") {\n    bool moved = false, pending = false;\n";
     for (size_t i = 0; i < ports_.streams.size(); ++i) drive_stream(i);
     out_ << "    settle();\n";
     if (has_control)
@@ -224,7 +224,7 @@ void reset_once() {
     out_ << "    edge();\n";
     if (has_control) out_ << "    if (accepted) dut().ap_start = 0;\n";
     for (size_t i = 0; i < ports_.memories.size(); ++i) answer_memory(i);
-    out_ << "    quiet = moved ? 0 : quiet + 1;\n    idle = moved ? 0 : idle + 1;\n    if (idle > "
+    out_ << "    quiet = moved || pending ? 0 : quiet + 1;\n    idle = moved ? 0 : idle + 1;\n    if (idle > "
             "idle_limit()) {\n      Probes::all().ask([] {\n        settle();\n        edge();\n      });\n"
             "      if (Probes::depths_file() && Probes::all().grow()) {\n        idle = 0;\n        "
             "continue;\n      }\n";
@@ -277,6 +277,7 @@ void reset_once() {
       out_ << "    if (dut()." << stream.valid << " && dut()." << stream.ready << ") {\n      " << port
            << ".taken();\n      moved = true;\n    }\n";
     } else {
+      out_ << "    pending |= dut()." << stream.valid << ";\n";
       out_ << "    if (dut()." << stream.valid << " && dut()." << stream.ready
            << ") {\n      Bits bits = zero_bits(" << stream.width << ");\n";
       for (const InterfaceField& field : stream.fields)

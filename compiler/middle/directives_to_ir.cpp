@@ -99,13 +99,21 @@ MDNode* unroll_node(LLVMContext& context, const Directive& directive) {
   return MDNode::get(context, {MDString::get(context, "llvm.loop.unroll.count"), count});
 }
 
+bool asks_for_pipeline(const Directive& directive) {
+  return directive.kind == "PIPELINE" && !directive.has("off");
+}
+
+void unroll_loops_inside(Loop& loop);
+
 void attach_to_loop(Loop& loop, const Directive& directive) {
   LLVMContext& context = loop.getHeader()->getContext();
   SmallVector<Metadata*, 2> nodes = {string_node(context, {kLoopTag, to_text(directive)})};
   if (directive.kind == "UNROLL") nodes.push_back(unroll_node(context, directive));
   add_loop_metadata(loop, nodes);
-  bool unrolls_inside = directive.kind == "PIPELINE" && !directive.has("off");
-  if (!unrolls_inside) return;
+  if (asks_for_pipeline(directive)) unroll_loops_inside(loop);
+}
+
+void unroll_loops_inside(Loop& loop) {
   for (Loop* inner : loop.getLoopsInPreorder())
     if (inner != &loop && !loop_directive(*inner, "UNROLL"))
       attach_to_loop(*inner, parse_directive("UNROLL implied"));
@@ -114,7 +122,7 @@ void attach_to_loop(Loop& loop, const Directive& directive) {
 void attach_to_function(Function& function, LoopInfo& loops, const Directive& directive) {
   std::string name = "hls-" + StringRef(directive.kind).lower();
   function.addFnAttr(name, to_text(directive));
-  if (directive.kind != "PIPELINE" || directive.has("off")) return;
+  if (!asks_for_pipeline(directive)) return;
   for (Loop* loop : loops.getLoopsInPreorder())
     if (!loop_directive(*loop, "UNROLL")) attach_to_loop(*loop, parse_directive("UNROLL implied"));
 }
@@ -247,6 +255,22 @@ void resolve_loop_directives(Module& module, DirectiveTable& table, Diagnostics&
       }
       marker.call->eraseFromParent();
     }
+  }
+}
+
+void unroll_inlined_loops(Module& module) {
+  for (Function& function : module) {
+    if (function.isDeclaration()) continue;
+    DominatorTree dominators(function);
+    LoopInfo loops(dominators);
+    for (Loop* loop : loops.getLoopsInPreorder()) {
+      std::optional<Directive> pipeline = loop_directive(*loop, "PIPELINE");
+      if (pipeline && asks_for_pipeline(*pipeline)) unroll_loops_inside(*loop);
+    }
+    std::optional<Directive> pipeline = function_directive(function, "PIPELINE");
+    if (!pipeline || !asks_for_pipeline(*pipeline)) continue;
+    for (Loop* loop : loops.getLoopsInPreorder())
+      if (!loop_directive(*loop, "UNROLL")) attach_to_loop(*loop, parse_directive("UNROLL implied"));
   }
 }
 

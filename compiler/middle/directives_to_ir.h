@@ -53,6 +53,10 @@ struct DirectiveTable {
 /// Unknown pragmas become warnings. Runs on unoptimised IR, before inlining.
 void resolve_loop_directives(llvm::Module& module, DirectiveTable& table, Diagnostics& diagnostics);
 
+/// Loops that a call brought into a pipelined loop or function dissolve as those that stand there do. Runs after
+/// inlining.
+void unroll_inlined_loops(llvm::Module& module);
+
 /// Removes the markers with a variable. Runs after inlining, when each names the object itself.
 void resolve_object_directives(llvm::Module& module, DirectiveTable& table, Diagnostics& diagnostics);
 

@@ -289,6 +289,17 @@ void mark_for_inlining(Module& module, const std::vector<std::string>& processes
     }
 }
 
+bool has_calls_to_inline(Module& module) {
+  for (Function& function : module)
+    for (Instruction& instruction : instructions(function)) {
+      auto* call = dyn_cast<CallInst>(&instruction);
+      Function* callee = call ? call->getCalledFunction() : nullptr;
+      bool can_inline = callee && callee != &function && !callee->isDeclaration();
+      if (can_inline && callee->hasFnAttribute(Attribute::AlwaysInline)) return true;
+    }
+  return false;
+}
+
 /// Unrolls the DATAFLOW functions' loops and separates their objects.
 void prepare_regions(const Program& program, Optimizer& optimizer) {
   // LLVM unrolls no loop with a call that could be inlined; mark_for_inlining decides anew.
@@ -351,8 +362,12 @@ MiddleResult run_middle(Program& program, const LoopChoice& keeps_apart, Diagnos
   evaluate_constant_calls(module);
   optimizer.drop_unused();
   refuse_recursion(module);
-  optimizer.inline_all();
-  optimizer.promote_locals();
+  // A function behind a constant pointer is known when the locals that held the pointer are gone.
+  do {
+    optimizer.inline_all();
+    optimizer.promote_locals();
+  } while (has_calls_to_inline(module));
+  unroll_inlined_loops(module);
   expand_remaining_copies(program);
   resolve_object_directives(module, result.directives, diagnostics);
   construct_static_objects(module);

@@ -1,5 +1,6 @@
 #include "middle/pointer_choices.h"
 
+#include <llvm/Analysis/Utils/Local.h>
 #include <llvm/IR/GetElementPtrTypeIterator.h>
 #include <llvm/Transforms/Utils/Local.h>
 
@@ -222,12 +223,38 @@ void remove_dead_pointers(Function& function) {
   }
 }
 
+/// Bytes from `object` to `pointer`, which lies in it; null when the way is not known.
+Value* bytes_from(IRBuilder<>& builder, const DataLayout& layout, Value* object, Value* pointer) {
+  if (pointer == object) return builder.getInt64(0);
+  auto* gep = dyn_cast<GEPOperator>(pointer);
+  Value* before = gep ? bytes_from(builder, layout, object, gep->getPointerOperand()) : nullptr;
+  return before ? builder.CreateNSWAdd(before, emitGEPOffset(&builder, layout, gep)) : nullptr;
+}
+
+/// `pointer != end` where both lead into one object compares places in it.
+void compare_places(Function& function) {
+  for (Instruction& instruction : make_early_inc_range(instructions(function))) {
+    auto* compare = dyn_cast<ICmpInst>(&instruction);
+    if (!compare || !compare->getOperand(0)->getType()->isPointerTy()) continue;
+    Value* object = getUnderlyingObject(compare->getOperand(0), 0);
+    if (object != getUnderlyingObject(compare->getOperand(1), 0)) continue;
+    IRBuilder<> builder(compare);
+    Value* first = bytes_from(builder, function.getDataLayout(), object, compare->getOperand(0));
+    Value* second = bytes_from(builder, function.getDataLayout(), object, compare->getOperand(1));
+    if (!first || !second) continue;
+    compare->replaceAllUsesWith(builder.CreateICmp(compare->getSignedPredicate(), first, second));
+    compare->eraseFromParent();
+  }
+}
+
 }  // namespace
 
 void resolve_pointer_choices(Function& function) {
   bool changed = false;
   while (resolve_one(function)) changed = true;
-  if (changed) remove_dead_pointers(function);
+  if (!changed) return;
+  compare_places(function);
+  remove_dead_pointers(function);
 }
 
 }  // namespace hlsc
