@@ -24,6 +24,7 @@ class AdapterWriter {
          << ";\n  return *model;\n}\n";
     write_clock();
     write_conversions();
+    for (const AxiliteBank& bank : ports_.banks) write_bus(bank);
     out_ << "}  // namespace\n\n";
     write_function();
     return out_.str();
@@ -141,6 +142,42 @@ void reset_once() {
     out_ << "}\n";
   }
 
+  /// The signals of a bank's port, for the master of the harness.
+  void write_bus(const AxiliteBank& bank) {
+    auto signal = [&](const char* name) { return "dut().s_axi_" + bank.name + "_" + name; };
+    auto offer = [&](const char* name, const char* type, const char* value, const char* valid) {
+      out_ << "  static void " << name << "(" << type << " value, bool valid) {\n    " << signal(value)
+           << " = value;\n    " << signal(valid) << " = valid;\n  }\n";
+    };
+    auto take = [&](const char* name, const char* ready) {
+      out_ << "  static void " << name << "(bool ready) { " << signal(ready) << " = ready; }\n";
+    };
+    auto ask = [&](const char* name, const std::string& value) {
+      out_ << "  static uint32_t " << name << "() { return " << value << "; }\n";
+    };
+    out_ << "struct bus_" << bank.name << " {\n";
+    offer("write_address", "uint64_t", "AWADDR", "AWVALID");
+    offer("write_data", "uint32_t", "WDATA", "WVALID");
+    offer("read_address", "uint64_t", "ARADDR", "ARVALID");
+    take("take_response", "BREADY");
+    take("take_read", "RREADY");
+    ask("address_taken", signal("AWREADY"));
+    ask("data_taken", signal("WREADY"));
+    ask("response", signal("BVALID"));
+    ask("read_taken", signal("ARREADY"));
+    ask("read_valid", signal("RVALID"));
+    ask("read_data", signal("RDATA"));
+    out_ << "};\nusing host_" << bank.name << " = hlsc_cosim::AxiliteMaster<bus_" << bank.name
+         << ">;\n\n/// A cycle in which only a bus moves.\ntemplate <class Sample>\nvoid cycle_" << bank.name
+         << "(Sample sample) {\n  " << signal("WSTRB") << " = 15;\n  settle();\n  sample();\n  edge();\n}\n";
+  }
+
+  std::string host_call(const AxiliteBank& bank, const std::string& method,
+                        const std::string& arguments) const {
+    return "host_" + bank.name + "::" + method + "(" + arguments + ", [](auto sample) { cycle_" + bank.name +
+           "(sample); })";
+  }
+
   std::string parameter_name(size_t i) const {
     return top_.parameters[i].name.empty() ? "unnamed_" + std::to_string(i) : top_.parameters[i].name;
   }
@@ -161,7 +198,9 @@ void reset_once() {
          << top_.name << "\", \"" << scheduled_latency() << "\");\n";
     declare_streams();
     set_scalars();
+    for (const AxiliteBank& bank : ports_.banks) write_bank(bank);
     run_loop();
+    for (const AxiliteBank& bank : ports_.banks) read_bank(bank);
     return_results();
     out_ << "}\n";
     if (!space.empty()) out_ << "}  // namespace " << space << "\n";
@@ -200,17 +239,106 @@ void reset_once() {
     }
   }
 
+  /// Values of inputs, whole arrays.
+  void write_bank(const AxiliteBank& bank) {
+    for (const AxiliteRegister& one : bank.registers) {
+      if (one.port.is_result) out_ << "  Bits " << one.port.name << "_bits;\n";
+      if (one.port.is_output) continue;
+      std::string width = std::to_string(one.port.width);
+      out_ << "  {\n    Bits bits = zero_bits(" << width << ");\n    pack(bits, 0, " << width << ", "
+           << object_of(one.port.argument) << ", " << one.port.byte_offset << ");\n    "
+           << host_call(bank, "write_value", std::to_string(one.offset) + ", bits, " + width) << ";\n  }\n";
+    }
+    for (const AxiliteArray& one : bank.arrays) {
+      const InterfaceMemory& memory = one.memory;
+      out_ << "  {\n    Bits image = zero_bits(" << 8 * one.span() << ");\n    for (uint64_t i = 0; i < "
+           << memory.depth << "; ++i) {\n";
+      for_each_leaf(memory, [&](const Leaf& leaf, unsigned low) {
+        out_ << "      pack(image, i * " << 8 * one.element_bytes() << " + " << low << ", " << leaf.width
+             << ", (unsigned char*)" << object_of(memory.argument) << " + i * " << memory.stride << ", "
+             << leaf.byte_offset << ");\n";
+      });
+      out_ << "    }\n    " << host_call(bank, "write_value", image_arguments(one)) << ";\n  }\n";
+    }
+  }
+
+  static std::string image_arguments(const AxiliteArray& one) {
+    return std::to_string(one.offset) + ", image, " + std::to_string(8 * one.span());
+  }
+
+  /// Outputs that are set, the return value, arrays that the design writes; the host clears the interrupt.
+  void read_bank(const AxiliteBank& bank) {
+    if (bank.has_continue) out_ << "  " << host_call(bank, "write", "0x00, 16") << ";\n";
+    if (bank.has_control)
+      out_ << "  " << host_call(bank, "write", "0x0c, 1") << ";\n  if (interrupt_of(dut(), 0) || !("
+           << host_call(bank, "read", "0x00")
+           << " & 2)) {\n    std::fprintf(stderr, \"error: ap_done or the interrupt of the registers is "
+              "wrong\\n\");\n"
+              "    std::exit(3);\n  }\n";
+    for (const AxiliteRegister& one : bank.registers) {
+      if (!one.port.is_output) continue;
+      std::string width = std::to_string(one.port.width);
+      std::string value = host_call(bank, "read_value", std::to_string(one.offset) + ", " + width);
+      if (one.port.is_result) {
+        out_ << "  " << one.port.name << "_bits = " << value << ";\n";
+        continue;
+      }
+      out_ << "  if (" << host_call(bank, "read", std::to_string(one.valid_offset()))
+           << " & 1) {\n    Bits bits = " << value << ";\n    ";
+      unpack_output(one.port);
+      out_ << "  }\n";
+    }
+    for (const AxiliteArray& one : bank.arrays) {
+      const InterfaceMemory& memory = one.memory;
+      if (!memory.is_written) continue;
+      out_ << "  {\n    Bits image = "
+           << host_call(bank, "read_value",
+                        std::to_string(one.offset) + ", " + std::to_string(8 * one.span()))
+           << ";\n    for (uint64_t i = 0; i < " << memory.depth << "; ++i) {\n";
+      for_each_leaf(memory, [&](const Leaf& leaf, unsigned low) {
+        out_ << "      unpack(image, i * " << 8 * one.element_bytes() << " + " << low << ", " << leaf.width
+             << ", " << (leaf.is_signed ? "true" : "false") << ", (unsigned char*)"
+             << object_of(memory.argument) << " + i * " << memory.stride << ", " << leaf.byte_offset << ", "
+             << leaf.bytes << ");\n";
+      });
+      out_ << "    }\n  }\n";
+    }
+  }
+
+  /// Sets the member behind an output from `bits`.
+  void unpack_output(const ScalarPort& port) {
+    for (const Leaf& leaf : top_.parameters[port.argument].layout.leaves)
+      if (leaf.byte_offset == port.byte_offset)
+        out_ << "unpack(bits, 0, " << leaf.width << ", " << (leaf.is_signed ? "true" : "false") << ", "
+             << object_of(port.argument) << ", " << leaf.byte_offset << ", " << leaf.bytes << ");\n";
+  }
+
+  /// Starts the top: by its signal, or by the host, who asks for an interrupt at the end.
+  void start_run() {
+    if (const AxiliteBank* bank = ports_.control_bank()) {
+      for (const char* words : {"0x04, 1", "0x08, 1", "0x00, 1"})
+        out_ << "  " << host_call(*bank, "write", words) << ";\n";
+    } else if (ports_.has_start) {
+      out_ << "  dut().ap_start = 1;\n";
+      if (ports_.has_continue) out_ << "  dut().ap_continue = 1;\n";
+    }
+  }
+
   void run_loop() {
     bool has_control = ports_.has_start;
+    const AxiliteBank* bank = ports_.control_bank();
     out_ << "  uint64_t first_cycle = cycle_count, idle = 0, quiet = 0, done_cycle = 0;\n  bool done = "
          << (has_control ? "false" : "true") << ";\n";
-    if (has_control) out_ << "  dut().ap_start = 1;\n";
-    if (ports_.has_continue) out_ << "  dut().ap_continue = 1;\n";
+    start_run();
+    if (bank) out_ << "  first_cycle = cycle_count - 1;  // The response came a cycle after the start.\n";
     out_ << "  // After the end, what is still on its way out comes out.\n  while (!done || quiet < "
          << (has_control ? "16" : "4096") << ") {\n    bool moved = false, pending = false;\n";
     for (size_t i = 0; i < ports_.streams.size(); ++i) drive_stream(i);
     out_ << "    settle();\n";
-    if (has_control)
+    if (bank)
+      out_ << "    if (interrupt_of(dut(), 0) && !done) {\n      done = true;\n      done_cycle = cycle_count;\n    "
+              "}\n";
+    else if (has_control)
       out_ << "    if (dut().ap_done && !done) {\n      done = true;\n      done_cycle = cycle_count;\n  "
               "  }\n    bool accepted = dut().ap_ready;\n";
     for (size_t i = 0; i < ports_.streams.size(); ++i) sample_stream(i);
@@ -222,7 +350,7 @@ void reset_once() {
         out_ << "    if (done && !" << port.name << "_set) {\n      " << port.name << "_set = true;\n      "
              << port.name << "_bits = get(dut()." << port.name << ", " << port.width << ");\n    }\n";
     out_ << "    edge();\n";
-    if (has_control) out_ << "    if (accepted) dut().ap_start = 0;\n";
+    if (has_control && !bank) out_ << "    if (accepted) dut().ap_start = 0;\n";
     for (size_t i = 0; i < ports_.memories.size(); ++i) answer_memory(i);
     out_ << "    quiet = moved || pending ? 0 : quiet + 1;\n    idle = moved ? 0 : idle + 1;\n    if (idle > "
             "idle_limit()) {\n      Probes::all().ask([] {\n        settle();\n        edge();\n      });\n"
@@ -230,6 +358,7 @@ void reset_once() {
             "continue;\n      }\n";
     tell_standstill();
     out_ << "    }\n  }\n";
+    if (!ports_.banks.empty()) rest_streams();
     if (has_control) out_ << "  statistics.call(done_cycle - first_cycle);\n";
     if (!has_control) out_ << "  (void)done_cycle;\n  statistics.call(cycle_count - first_cycle - quiet);\n";
   }
@@ -253,6 +382,12 @@ void reset_once() {
     const CompiledProcess& only = compiled_.processes[0];
     Latency latency = LatencyModel(only.process, only.schedule).process();
     return (latency.is_bound ? "up to " : "") + latency.text();
+  }
+
+  /// While the host uses a bank, no stream moves.
+  void rest_streams() {
+    for (const InterfaceStream& stream : ports_.streams)
+      out_ << "  dut()." << (stream.is_input ? stream.valid : stream.ready) << " = 0;\n";
   }
 
   void drive_stream(size_t i) {
@@ -291,11 +426,7 @@ void reset_once() {
   void sample_output(const ScalarPort& port) {
     out_ << "    if (dut()." << port.name << "_ap_vld) {\n      Bits bits = get(dut()." << port.name << ", "
          << port.width << ");\n      moved = true;\n      ";
-    const Parameter* parameter = port.argument >= 0 ? &top_.parameters[port.argument] : nullptr;
-    for (const Leaf& leaf : parameter->layout.leaves)
-      if (leaf.byte_offset == port.byte_offset)
-        out_ << "unpack(bits, 0, " << leaf.width << ", " << (leaf.is_signed ? "true" : "false") << ", "
-             << object_of(port.argument) << ", " << leaf.byte_offset << ", " << leaf.bytes << ");\n";
+    unpack_output(port);
     out_ << "      " << port.name << "_set = true;\n    }\n";
   }
 
@@ -353,8 +484,11 @@ void reset_once() {
     }
     if (top_.result.leaves.empty()) return;
     out_ << "  " << top_.result_text << " result{};\n";
+    std::vector<ScalarPort> ports = ports_.scalars;
+    for (const AxiliteBank& bank : ports_.banks)
+      for (const AxiliteRegister& one : bank.registers) ports.push_back(one.port);
     for (const Leaf& leaf : top_.result.leaves)
-      for (const ScalarPort& port : ports_.scalars) {
+      for (const ScalarPort& port : ports) {
         bool holds_leaf = port.is_result && port.byte_offset <= leaf.byte_offset &&
                           leaf.byte_offset < port.byte_offset + (port.width + 7) / 8;
         if (!holds_leaf) continue;

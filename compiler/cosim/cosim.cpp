@@ -133,7 +133,7 @@ class Simulation {
                           shell_word(HLSC_RTL_LIB_DIR);
     if (!cosim_.trace.empty()) command += " --trace";
     for (const GeneratedFile& file : compiled_.files)
-      command += " " + shell_word((dir_ / file.name).string());
+      if (fs::path(file.name).extension() == ".v") command += " " + shell_word((dir_ / file.name).string());
     run_or_throw(command, dir_ / "verilator.log", "Verilator refuses the generated Verilog");
   }
 

@@ -124,6 +124,74 @@ struct StreamPort {
   }
 };
 
+/// The interrupt of a model. Verilator gives the signal another name where it keeps `interrupt` for C++.
+template <class Model>
+auto interrupt_of(const Model& model, int) -> decltype(bool(model.interrupt)) {
+  return model.interrupt;
+}
+template <class Model>
+auto interrupt_of(const Model& model, long) -> decltype(bool(model.__SYM__interrupt)) {
+  return model.__SYM__interrupt;
+}
+
+/// An AXI4-Lite master: a transfer at a time, one clock cycle a step. `Bus` moves the signals of one port.
+template <class Bus>
+class AxiliteMaster {
+ public:
+  /// Clocks until the transfer is over; `cycle` settles and clocks the design, and calls what it is given
+  /// between.
+  template <class Cycle>
+  static void write(uint64_t address, uint32_t data, Cycle cycle) {
+    Bus::write_address(address, true);
+    wait(cycle, [] { return Bus::address_taken(); });
+    Bus::write_address(0, false);
+    Bus::write_data(data, true);
+    wait(cycle, [] { return Bus::data_taken(); });
+    Bus::write_data(0, false);
+    Bus::take_response(true);
+    wait(cycle, [] { return Bus::response(); });
+    Bus::take_response(false);
+  }
+  template <class Cycle>
+  static uint32_t read(uint64_t address, Cycle cycle) {
+    Bus::read_address(address, true);
+    wait(cycle, [] { return Bus::read_taken(); });
+    Bus::read_address(0, false);
+    Bus::take_read(true);
+    uint32_t value = 0;
+    wait(cycle, [&] {
+      value = Bus::read_data();
+      return Bus::read_valid();
+    });
+    Bus::take_read(false);
+    return value;
+  }
+  /// The words of a value.
+  template <class Cycle>
+  static void write_value(uint64_t address, const Bits& bits, unsigned width, Cycle cycle) {
+    for (unsigned word = 0; word < (width + 31) / 32; ++word) write(address + 4 * word, bits[word], cycle);
+  }
+  template <class Cycle>
+  static Bits read_value(uint64_t address, unsigned width, Cycle cycle) {
+    Bits bits = zero_bits(width);
+    for (unsigned word = 0; word < (width + 31) / 32; ++word) bits[word] = read(address + 4 * word, cycle);
+    return bits;
+  }
+
+ private:
+  template <class Cycle, class Condition>
+  static void wait(Cycle cycle, Condition condition) {
+    bool happened = false;
+    for (unsigned tries = 0; !happened; ++tries) {
+      cycle([&] { happened = condition(); });
+      if (tries == 100000) {
+        std::fprintf(stderr, "error: the design does not answer on AXI4-Lite\n");
+        std::exit(3);
+      }
+    }
+  }
+};
+
 /// Cycle counts over all calls, told at exit on standard error.
 class Statistics {
  public:

@@ -25,6 +25,8 @@ class VerilogBench {
   }
 
   std::string text() {
+    if (!ports_.banks.empty())
+      throw CompileError(compiled_.top.location, "a case with s_axilite belongs to test/cosim");
     control();
     for (std::size_t i = 0; i < ports_.scalars.size(); ++i) scalar(i);
     for (std::size_t i = 0; i < ports_.streams.size(); ++i) stream(i);

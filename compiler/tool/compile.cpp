@@ -58,6 +58,7 @@ class Compilation {
                                  : emit_single_top(result_.top, result_.processes[0].process, modes);
     result_.interface = module.interface;
     result_.files.push_back({result_.top.name + ".v", module.text});
+    for (const auto& [name, text] : module.bank_files) result_.files.push_back({name, text});
   }
 
   CompileResult& result() { return result_; }

@@ -4,6 +4,7 @@
 #include <set>
 #include <sstream>
 
+#include "verilog/axilite.h"
 #include "verilog/emit_probes.h"
 #include "verilog/emit_process.h"
 #include "verilog/text.h"
@@ -16,24 +17,29 @@ const std::set<std::string> kModes = {"axis",         "ap_fifo",    "ap_none",  
                                       "ap_memory",    "bram",       "s_axilite",    "ap_stable",
                                       "ap_ctrl_none", "ap_ctrl_hs", "ap_ctrl_chain"};
 
-/// Refuses modes that do not exist or that no port is built for.
-void check_mode(const PortDirective& entry) {
+/// `mode=NAME` or the bare NAME; empty without one.
+std::string mode_of(const Directive& directive) {
   static const std::set<std::string> kFlags = {"register", "both", "forward", "reverse", "off"};
+  std::string mode = directive.text("mode");
+  for (const auto& [key, value] : directive.options)
+    if (mode.empty() && value.empty() && !kFlags.count(key)) mode = key;
+  return mode;
+}
+
+/// Refuses modes that do not exist or that no port is built for.
+void check_mode(const std::string& mode, const SourceLocation& where) {
   static const std::map<std::string, std::string> kNotBuilt = {
       {"m_axi", "hls::stream with axis, or an array with ap_memory"},
       {"ap_hs", "hls::stream with ap_fifo or axis"},
       {"ap_ack", "hls::stream with ap_fifo or axis"},
       {"ap_ovld", "ap_vld"},
       {"ap_bus", "an array with ap_memory"}};
-  std::string mode = entry.directive.text("mode");
-  for (const auto& [key, value] : entry.directive.options)
-    if (mode.empty() && value.empty() && !kFlags.count(key)) mode = key;
   if (auto refused = kNotBuilt.find(mode); refused != kNotBuilt.end())
-    throw CompileError(entry.location, "INTERFACE mode '" + mode + "' is not built; use " + refused->second);
+    throw CompileError(where, "INTERFACE mode '" + mode + "' is not built; use " + refused->second);
   if (mode.empty() || kModes.count(mode)) return;
   std::string known;
   for (const std::string& name : kModes) known += (known.empty() ? "" : ", ") + name;
-  throw CompileError(entry.location, "INTERFACE mode '" + mode + "' does not exist; use one of " + known);
+  throw CompileError(where, "INTERFACE mode '" + mode + "' does not exist; use one of " + known);
 }
 
 }  // namespace
@@ -41,20 +47,28 @@ void check_mode(const PortDirective& entry) {
 PortModes PortModes::from(const std::vector<PortDirective>& directives) {
   PortModes modes;
   for (const PortDirective& entry : directives) {
-    check_mode(entry);
-    Directive& merged = modes.by_port[entry.port.empty() ? "return" : entry.port];
-    for (const auto& [key, value] : entry.directive.options) merged.options[key] = value;
+    std::string mode = mode_of(entry.directive);
+    check_mode(mode, entry.location);
+    std::map<std::string, std::string>& merged =
+        modes.by_port[entry.port.empty() ? "return" : entry.port].options;
+    for (const auto& [key, value] : entry.directive.options)
+      if (key != "mode" && key != "bundle") merged[key] = value;
+    if (mode == "s_axilite")
+      merged["bank"] = entry.directive.has("bundle") ? entry.directive.text("bundle") : "control";
+    else if (!mode.empty())
+      merged["mode"] = mode;
   }
   return modes;
 }
 
 std::string PortModes::mode(const std::string& port) const {
   auto found = by_port.find(port);
-  if (found == by_port.end()) return "";
-  if (found->second.has("mode")) return found->second.text("mode");
-  for (const std::string& name : kModes)
-    if (found->second.has(name)) return name;
-  return "";
+  return found == by_port.end() ? "" : found->second.text("mode");
+}
+
+std::string PortModes::bank(const std::string& port) const {
+  auto found = by_port.find(port);
+  return found == by_port.end() ? "" : found->second.text("bank");
 }
 
 namespace {
@@ -73,13 +87,20 @@ class TopWriter {
     interface_.has_continue = control == "ap_ctrl_chain";
     for (const Parameter& parameter : top.parameters)
       if (!parameter.streams.empty() && modes.mode(parameter.name) == "axis") interface_.reset_is_low = true;
+    for (const auto& [port, directive] : modes.by_port)
+      if (directive.has("bank")) interface_.reset_is_low = true;
     interface_.reset = interface_.reset_is_low ? "ap_rst_n" : "ap_rst";
     port("input", 1, interface_.clock);
     port("input", 1, interface_.reset);
+    std::string bank = interface_.has_start ? modes.bank("return") : "";
+    if (!bank.empty()) {
+      bank_named(bank).has_control = true;
+      bank_named(bank).has_continue = interface_.has_continue;
+    }
     if (interface_.has_start)
       for (const char* name : {"ap_start", "ap_done", "ap_idle", "ap_ready"})
-        port(std::string(name) == "ap_start" ? "input" : "output", 1, name);
-    if (interface_.has_continue) port("input", 1, "ap_continue");
+        port_or_wire(bank, std::string(name) == "ap_start" ? "input" : "output", 1, name);
+    if (interface_.has_continue) port_or_wire(bank, "input", 1, "ap_continue");
     body_ << "    wire rst = " << (interface_.reset_is_low ? "~" : "") << interface_.reset << ";\n";
   }
 
@@ -126,6 +147,22 @@ class TopWriter {
   void port(const std::string& direction, unsigned width, const std::string& name) {
     ports_ << (ports_.str().empty() ? "" : ",\n") << "    " << direction << " wire" << range_text(width)
            << " " << name;
+  }
+
+  /// A signal that leads outside, or to the bank of this name.
+  void port_or_wire(const std::string& bank, const std::string& direction, unsigned width,
+                    const std::string& name) {
+    if (bank.empty())
+      port(direction, width, name);
+    else
+      wires_ << "    wire" << range_text(width) << " " << name << ";\n";
+  }
+
+  AxiliteBank& bank_named(const std::string& name) {
+    for (AxiliteBank& bank : interface_.banks)
+      if (bank.name == name) return bank;
+    interface_.banks.emplace_back().name = name;
+    return interface_.banks.back();
   }
 
   // --- Streams ---
@@ -380,9 +417,13 @@ class TopWriter {
   }
 
   void add_scalar(const ScalarPort& scalar) {
-    port(scalar.is_output ? "output" : "input", scalar.width, scalar.name);
-    if (scalar.has_valid()) port("output", 1, scalar.name + "_ap_vld");
-    interface_.scalars.push_back(scalar);
+    std::string bank = modes_.bank(scalar.argument < 0 ? "return" : top_.parameters[scalar.argument].name);
+    port_or_wire(bank, scalar.is_output ? "output" : "input", scalar.width, scalar.name);
+    if (scalar.has_valid()) port_or_wire(bank, "output", 1, scalar.name + "_ap_vld");
+    if (bank.empty())
+      interface_.scalars.push_back(scalar);
+    else
+      bank_named(bank).registers.push_back({scalar});
   }
 
   /// `ties` name the memories of an instance as the top does.
@@ -407,20 +448,23 @@ class TopWriter {
       outside.is_read = memory.is_read;
       outside.is_written = memory.is_written;
       unsigned address = address_bits(memory.depth);
-      std::string number = "0";
+      std::string number = "0", bank = modes_.bank(parameter.name);
       if (memory.is_read) {
-        port("output", address, outside.read_address = outside.name + "_address0");
-        port("output", 1, outside.read_enable = outside.name + "_ce0");
-        port("input", memory.width, outside.read_data = outside.name + "_q0");
+        port_or_wire(bank, "output", address, outside.read_address = outside.name + "_address0");
+        port_or_wire(bank, "output", 1, outside.read_enable = outside.name + "_ce0");
+        port_or_wire(bank, "input", memory.width, outside.read_data = outside.name + "_q0");
         number = "1";
       }
       if (memory.is_written) {
-        port("output", address, outside.write_address = outside.name + "_address" + number);
-        port("output", 1, outside.name + "_ce" + number);
-        port("output", 1, outside.write_enable = outside.name + "_we" + number);
-        port("output", memory.width, outside.write_data = outside.name + "_d" + number);
+        port_or_wire(bank, "output", address, outside.write_address = outside.name + "_address" + number);
+        port_or_wire(bank, "output", 1, outside.write_select = outside.name + "_ce" + number);
+        port_or_wire(bank, "output", 1, outside.write_enable = outside.name + "_we" + number);
+        port_or_wire(bank, "output", memory.width, outside.write_data = outside.name + "_d" + number);
       }
-      interface_.memories.push_back(outside);
+      if (bank.empty())
+        interface_.memories.push_back(outside);
+      else
+        bank_named(bank).arrays.push_back({outside});
     }
   }
 
@@ -638,14 +682,34 @@ class TopWriter {
     body_ << "        end\n    end\n";
   }
 
+  void add_bank(const AxiliteBank& bank) {
+    for (const BankPort& signal : bus_ports(bank))
+      port(signal.is_input ? "input" : "output", signal.width, signal.name);
+    if (bank.has_control) port("output", 1, "interrupt");
+    body_ << "\n    " << axilite_module(top_.name, bank) << " " << bank.name
+          << "_registers (\n        .clk(ap_clk),\n        .rst(rst)";
+    for (const std::vector<BankPort>& signals : {bus_ports(bank), inner_ports(bank)})
+      for (const BankPort& signal : signals)
+        body_ << ",\n        ." << signal.name << "(" << signal.name << ")";
+    body_ << "\n    );\n";
+  }
+
   TopModule finished() {
+    std::map<std::string, std::string> bank_files;
+    for (AxiliteBank& bank : interface_.banks) {
+      place_registers(bank);
+      add_bank(bank);
+      bank_files[axilite_module(top_.name, bank) + ".v"] = emit_axilite(top_.name, bank);
+    }
+    if (!bank_files.empty())
+      bank_files["x" + top_.name + "_hw.h"] = axilite_header(top_.name, interface_.banks);
     std::ostringstream out;
-    out << "// " << top_.name << ": top of the design, " << top_.qualified
-        << ". Generated by floorline-hlsc; do not edit.\n\n`default_nettype none\n\nmodule " << top_.name
-        << " (\n"
+    out << (interface_.control_bank() ? kInterruptName : "") << "// " << top_.name << ": top of the design, "
+        << top_.qualified << ". Generated by floorline-hlsc; do not edit.\n\n`default_nettype none\n\nmodule "
+        << top_.name << " (\n"
         << ports_.str() << "\n);\n\n"
-        << body_.str() << "\nendmodule\n\n`default_nettype wire\n";
-    return {out.str(), interface_};
+        << wires_.str() << body_.str() << "\nendmodule\n\n`default_nettype wire\n";
+    return {out.str(), bank_files, interface_};
   }
 
   const FunctionInfo& top_;
@@ -656,7 +720,7 @@ class TopWriter {
   std::set<std::string> tied_;             ///< Memory ports of the instance at hand that lead to a channel.
   std::vector<const Process*> processes_;  ///< Of a region.
   std::vector<std::string> dones_, frees_;
-  std::ostringstream ports_, body_;
+  std::ostringstream ports_, wires_, body_;  ///< wires_: to the banks.
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #ifndef HLSC_VERILOG_EMIT_TOP_H
 #define HLSC_VERILOG_EMIT_TOP_H
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace hlsc {
 
 struct TopModule {
   std::string text;
+  std::map<std::string, std::string> bank_files;  ///< Name -> text: modules of the s_axilite banks, C header.
   TopInterface interface;
 };
 
@@ -24,6 +26,8 @@ struct PortModes {
   static PortModes from(const std::vector<PortDirective>& directives);
   /// "axis", "ap_fifo", "ap_none", "ap_vld", "ap_memory", "ap_ctrl_hs", ...; empty when not given.
   std::string mode(const std::string& port) const;
+  /// The bundle of a port with s_axilite, which may have another mode beside; empty for the others.
+  std::string bank(const std::string& port) const;
 };
 
 /// A top that is one process: the process with other port names.

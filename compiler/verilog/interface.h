@@ -30,12 +30,39 @@ struct InterfaceStream {
 struct InterfaceMemory {
   std::string name;
   std::string read_address, read_enable, read_data;
-  std::string write_address, write_enable, write_data;
+  std::string write_address, write_select, write_enable, write_data;  ///< Written when select and enable are up.
   unsigned width = 0;
   uint64_t depth = 0, stride = 0;  ///< Words; bytes from element to element in C++.
   bool is_read = false, is_written = false;
   int argument = -1;
   std::vector<Leaf> leaves;  ///< Of an element, in the word's bits from the lowest.
+};
+
+/// A scalar argument, or the return value, in a bank of registers.
+struct AxiliteRegister {
+  ScalarPort port;
+  unsigned offset = 0;            ///< Bytes.
+  unsigned valid_offset() const;  ///< Of the word behind the value, where an output tells that it is set.
+};
+
+/// An array argument in a bank: its elements follow each other, each in a power of two of bytes.
+struct AxiliteArray {
+  InterfaceMemory memory;
+  uint64_t offset = 0;
+  unsigned element_bytes() const;
+  unsigned row_bytes() const;         ///< Of a row of its RAMs: an element, or a word of the bus.
+  uint64_t span() const;              ///< Bytes of address space, a power of two.
+  unsigned row_address_bits() const;  ///< Of a row.
+};
+
+/// Arguments behind one AXI4-Lite port.
+struct AxiliteBank {
+  std::string name;
+  unsigned address_width = 0;
+  bool has_control = false;   ///< The handshake of the top and the interrupt are in this bank.
+  bool has_continue = false;  ///< ap_continue among them.
+  std::vector<AxiliteRegister> registers;
+  std::vector<AxiliteArray> arrays;
 };
 
 struct TopInterface {
@@ -46,6 +73,14 @@ struct TopInterface {
   std::vector<InterfaceStream> streams;
   std::vector<InterfaceMemory> memories;
   std::vector<ScalarPort> scalars;
+  std::vector<AxiliteBank> banks;  ///< What is in one has no signals of its own outside.
+
+  /// The bank that starts the top; null when ap_start is a signal.
+  const AxiliteBank* control_bank() const {
+    for (const AxiliteBank& bank : banks)
+      if (bank.has_control) return &bank;
+    return nullptr;
+  }
 };
 
 }  // namespace hlsc
