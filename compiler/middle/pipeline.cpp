@@ -43,6 +43,7 @@
 #include "middle/source_location.h"
 #include "middle/static_objects.h"
 #include "middle/stream_lowering.h"
+#include "middle/stream_queues.h"
 
 namespace hlsc {
 namespace {
@@ -289,6 +290,9 @@ void mark_for_inlining(Module& module, const std::vector<std::string>& processes
     }
 }
 
+/// How deep functions that call what a pointer leads to may lie in each other.
+constexpr int kPointerLevels = 4;
+
 bool has_calls_to_inline(Module& module) {
   for (Function& function : module)
     for (Instruction& instruction : instructions(function)) {
@@ -362,15 +366,18 @@ MiddleResult run_middle(Program& program, const LoopChoice& keeps_apart, Diagnos
   evaluate_constant_calls(module);
   optimizer.drop_unused();
   refuse_recursion(module);
+  optimizer.inline_all();
+  optimizer.promote_locals();
   // A function behind a constant pointer is known when the locals that held the pointer are gone.
-  do {
+  for (int level = 0; level < kPointerLevels && has_calls_to_inline(module); ++level) {
     optimizer.inline_all();
     optimizer.promote_locals();
-  } while (has_calls_to_inline(module));
+  }
   unroll_inlined_loops(module);
   expand_remaining_copies(program);
   resolve_object_directives(module, result.directives, diagnostics);
   construct_static_objects(module);
+  build_stream_queues(module, result.directives, diagnostics);
   optimizer.functions().clear();  // Copies and constructors changed the control flow.
   for (Function& function : module) resolve_pointer_choices(function);
   optimizer.promote_locals();
