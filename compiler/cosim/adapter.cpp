@@ -336,7 +336,8 @@ void reset_once() {
     for (size_t i = 0; i < ports_.streams.size(); ++i) drive_stream(i);
     out_ << "    settle();\n";
     if (bank)
-      out_ << "    if (interrupt_of(dut(), 0) && !done) {\n      done = true;\n      done_cycle = cycle_count;\n    "
+      out_ << "    if (interrupt_of(dut(), 0) && !done) {\n      done = true;\n      done_cycle = "
+              "cycle_count - 1;\n    "
               "}\n";
     else if (has_control)
       out_ << "    if (dut().ap_done && !done) {\n      done = true;\n      done_cycle = cycle_count;\n  "

@@ -48,12 +48,18 @@ std::string shell_word(const std::string& text) {
 
 int exit_code(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128; }
 
-void run_or_throw(const std::string& command, const fs::path& log, const std::string& what) {
-  if (exit_code(std::system((command + " > " + shell_word(log.string()) + " 2>&1").c_str())) == 0) return;
+/// What the command says when it fails; empty when it does not.
+std::string failure_of(const std::string& command, const fs::path& log) {
+  if (exit_code(std::system((command + " > " + shell_word(log.string()) + " 2>&1").c_str())) == 0) return "";
   std::ifstream in(log);
   std::stringstream text;
   text << in.rdbuf();
-  throw CompileError(what + ":\n" + text.str());
+  return text.str().empty() ? "it failed without a word" : text.str();
+}
+
+void run_or_throw(const std::string& command, const fs::path& log, const std::string& what) {
+  std::string failure = failure_of(command, log);
+  if (!failure.empty()) throw CompileError(what + ":\n" + failure);
 }
 
 /// The C++ compiler, behind ccache where there is one: the Verilator runtime is the same for every design.
@@ -163,7 +169,10 @@ class Simulation {
     // The test bench may hold the same helper functions as the design.
     std::string link = std::string(HLSC_CLANG) + " -fuse-ld=lld -Wl,-z,muldefs" + objects_ + " -pthread -o " +
                        shell_word((dir_ / "simulation").string());
-    run_or_throw(link, dir_ / "link.log", "cannot link the co-simulation");
+    std::string failure = failure_of(link, dir_ / "link.log");
+    if (failure.find("undefined symbol: main") != std::string::npos)
+      throw CompileError("no test bench has a main(); name the file that has it with --tb or tb.file");
+    if (!failure.empty()) throw CompileError("cannot link the co-simulation:\n" + failure);
   }
 
   void compile_source(const std::string& source, const std::string& flags) {

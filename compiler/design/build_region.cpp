@@ -12,6 +12,10 @@ Region ProcessBuilder::build_region(const std::vector<Process>& processes) {
   region_processes_ = &processes;
   region.head = build();
   for (const RegionStream& stream : region.streams) check_ends(stream);
+  for (const RegionChannel& channel : region.channels)
+    if (channel.reader < 0 && !channel.read_back.empty())
+      throw CompileError(channel.location, "array '" + channel.name +
+                                               "' is used by this process alone; declare it in the process");
   // The region's streams pass the head by; a loop's head has one of its own.
   region.head.streams.erase(region.head.streams.begin(), region.head.streams.end() - region.is_loop);
   return region;
@@ -106,9 +110,10 @@ ChannelPort ProcessBuilder::channel_port(CallInst& call, Value* array, const Mem
   RegionChannel& channel = region_->channels[known->second];
   int self = region_->instances.size();
   int& end = memory.is_written ? channel.writer : channel.reader;
-  if (memory.is_written && memory.is_read)
+  bool reads_back = memory.is_written && memory.is_read;
+  if (reads_back && channel.writer >= 0 && channel.writer != self)
     refuse(call, "process '" + (*region_processes_)[process_called(call)].name + "' both reads and writes '" +
-                     channel.name + "', which another process uses; give it a local array and copy");
+                     channel.name + "', which another process has written; give it a local array and copy");
   if (end >= 0 && end != self)
     refuse(call, "array '" + channel.name + "' has two " + (memory.is_written ? "writers" : "readers") +
                      "; give each pair of processes an array of its own");
@@ -117,7 +122,8 @@ ChannelPort ProcessBuilder::channel_port(CallInst& call, Value* array, const Mem
            "array '" + channel.name + "' is read before a process has written it; call the writer first");
   end = self;
   channel.member_widths[memory.byte_offset] = memory.width;
-  return {memory.name, known->second, memory.byte_offset, address_bits(memory.depth)};
+  if (reads_back) channel.read_back.insert(memory.byte_offset);
+  return {memory.name, known->second, memory.byte_offset, address_bits(memory.depth), reads_back};
 }
 
 RegionChannel ProcessBuilder::new_channel(CallInst& call, Value* array) {
@@ -129,6 +135,7 @@ RegionChannel ProcessBuilder::new_channel(CallInst& call, Value* array) {
            "function and pass it by its name");
   RegionChannel channel;
   channel.name = names_.unique(object_name(array), "channel");
+  channel.location = nearest_location(call);
   channel.depth = 1;
   Type* element = type;
   for (; isa<ArrayType>(element); element = element->getArrayElementType())

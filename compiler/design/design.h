@@ -13,6 +13,7 @@
 #include <llvm/ADT/APInt.h>
 
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -184,6 +185,7 @@ struct ChannelPort {
   int channel = 0;
   uint64_t byte_offset = 0;
   unsigned address_width = 0;  ///< Of the instance's port.
+  bool reads_back = false;     ///< A writer's port that reads, too.
 };
 
 /// Ties a memory port of an instance to an array outside the top.
@@ -198,8 +200,8 @@ struct Instance {
   int process = 0;  ///< Index in the list of processes the region was built with.
   std::string name;
   std::vector<int> streams;  ///< By the process' stream: index in Region::streams.
-  /// By the process' scalar: an input's index in Region::run_scalars, an output's in Region::head.scalars; -1:
-  /// Region::scalars tie it.
+  /// By the process' scalar: an input's index in Region::run_scalars, an output's in Region::head.scalars;
+  /// -1: Region::scalars tie it.
   std::vector<int> scalars;
   std::vector<MemoryTie> memories;
   std::vector<ChannelPort> channels;
@@ -222,6 +224,8 @@ struct RegionChannel {
   uint64_t depth = 0;                          ///< Elements.
   int writer = -1, reader = -1;                ///< Instances; no reader: what is written goes nowhere.
   std::map<uint64_t, unsigned> member_widths;  ///< Byte offset of a member in an element -> bits.
+  std::set<uint64_t> read_back;                ///< Members that the writer reads, too, by their byte offset.
+  SourceLocation location;                     ///< Of the first call that takes it.
 };
 
 /// A scalar that one instance sets for another: it passes on when the writer's run ends.

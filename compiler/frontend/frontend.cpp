@@ -173,19 +173,32 @@ class ProgramReader : public clang::SemaConsumer, public clang::RecursiveASTVisi
     info.result_text = type_text(*context_, function->getReturnType(), "");
     info.is_c = function->isExternC();
     std::string mangled = mangled_name(*mangler_, function);
-    if (info.name == options_.top || info.qualified == options_.top) tops_.push_back(mangled);
+    bool is_top = info.name == options_.top || info.qualified == options_.top;
+    if (is_top) tops_.push_back(mangled);
+    clang::SourceLocation where = function->getLocation();
     try {
       for (const clang::ParmVarDecl* parameter : function->parameters()) {
+        where = parameter->getLocation();
         instantiate(*parameter);
         info.parameters.push_back(describe(*context_, parameter));
       }
+      where = function->getLocation();
       if (!function->getReturnType()->isVoidType())
         info.result = layout_of(*context_, function->getReturnType());
-    } catch (const CompileError&) {
-      return;  // A helper that takes, say, a pointer to pointer: it is inlined, so its signature does not
-               // matter.
+    } catch (const CompileError& problem) {
+      // Of no matter in a helper that takes, say, a pointer to pointer: it is inlined.
+      if (is_top) program_.top_problem = located(where, problem);
+      return;
     }
     program_.functions[mangled] = info;
+  }
+
+  /// The problem's text, at `where` when it has no place of its own.
+  std::string located(clang::SourceLocation where, const CompileError& problem) const {
+    std::string text = problem.what();
+    clang::PresumedLoc place = context_->getSourceManager().getPresumedLoc(where);
+    if (text.rfind("error: ", 0) != 0 || place.isInvalid()) return text;
+    return SourceLocation{place.getFilename(), place.getLine(), place.getColumn()}.text() + ": " + text;
   }
 
   /// A class template that only an unused array or pointer names, as ap_int<16> in `ap_int<16> x[8]`, has no

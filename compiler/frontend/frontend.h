@@ -64,7 +64,8 @@ struct Program {
 
   std::unique_ptr<llvm::LLVMContext> context;
   std::unique_ptr<llvm::Module> module;
-  std::string top;  ///< Mangled name of the top function.
+  std::string top;          ///< Mangled name of the top function.
+  std::string top_problem;  ///< Why the top's parameters have no hardware form; empty when they have.
   /// Layout of T by the mangled name of each stream primitive instance `__hls_stream_read<T>` and its like.
   std::map<std::string, TypeLayout> stream_types;
   std::map<std::string, FunctionInfo> functions;  ///< By mangled name; those defined in the user's sources.

@@ -62,15 +62,13 @@ class LanguageChecker : public clang::RecursiveASTVisitor<LanguageChecker> {
                                           "' needs a heap, which hardware lacks; use an array of fixed size");
     return true;
   }
-  bool VisitForStmt(clang::ForStmt* loop) { return check_body(loop->getBody()); }
-  bool VisitWhileStmt(clang::WhileStmt* loop) { return check_body(loop->getBody()); }
   bool VisitDoStmt(clang::DoStmt* loop) { return check_body(loop->getBody()); }
   bool VisitIfStmt(clang::IfStmt* branch) {
     return check_body(branch->getThen()) && check_body(branch->getElse());
   }
 
  private:
-  /// A pragma between a loop's head and its lone statement would take the statement's place.
+  /// A pragma before a lone statement of `if` or `do` would take the statement's place.
   bool check_body(const clang::Stmt* body) {
     const auto* call = llvm::dyn_cast_or_null<clang::CallExpr>(body);
     const clang::FunctionDecl* callee = call ? call->getDirectCallee() : nullptr;

@@ -4,6 +4,7 @@
 #include <clang/Lex/Pragma.h>
 #include <clang/Lex/Preprocessor.h>
 
+#include <memory>
 #include <set>
 #include <string>
 #include <vector>
@@ -28,9 +29,34 @@ bool is_numeric_option(llvm::StringRef key) {
 
 using Tokens = llvm::SmallVector<clang::Token, 16>;
 
+/// Whether the next token begins the body of a for or while loop.
+class LoopHeads {
+ public:
+  void see(const clang::Token& token) {
+    at_body_ = false;
+    if (token.is(clang::tok::l_paren)) {
+      open_.push_back(is_head_);
+    } else if (token.is(clang::tok::r_paren) && !open_.empty()) {
+      at_body_ = open_.back();
+      open_.pop_back();
+    }
+    is_head_ = token.isOneOf(clang::tok::kw_for, clang::tok::kw_while) ||
+               (token.is(clang::tok::kw_if) && passes_on_body_);
+    if (token.is(clang::tok::kw_if)) passes_on_body_ = false;
+  }
+  bool at_body() const { return at_body_; }
+  /// The next `if` is a pragma's: what follows its condition is still the loop's body.
+  void pass_on_body() { passes_on_body_ = true; }
+
+ private:
+  std::vector<bool> open_;  ///< Parentheses; true: of a loop's head.
+  bool is_head_ = false, at_body_ = false, passes_on_body_ = false;
+};
+
 class HlsPragmaHandler : public clang::PragmaHandler {
  public:
-  HlsPragmaHandler(clang::Preprocessor&, llvm::StringRef spelling) : PragmaHandler(spelling) {}
+  HlsPragmaHandler(std::shared_ptr<LoopHeads> heads, llvm::StringRef spelling)
+      : PragmaHandler(spelling), heads_(std::move(heads)) {}
 
   void HandlePragma(clang::Preprocessor& preprocessor, clang::PragmaIntroducer,
                     clang::Token& first) override {
@@ -38,7 +64,9 @@ class HlsPragmaHandler : public clang::PragmaHandler {
     clang::Token token;
     for (preprocessor.Lex(token); token.isNot(clang::tok::eod); preprocessor.Lex(token))
       line.push_back(token);
-    inject(preprocessor, marker_call(preprocessor, line, first.getLocation()));
+    Tokens call = marker_call(preprocessor, line, first.getLocation());
+    inject(preprocessor, heads_->at_body() ? before_body(preprocessor, call, first.getLocation())
+                                           : as_statement(call, first.getLocation()));
   }
 
  private:
@@ -107,8 +135,28 @@ class HlsPragmaHandler : public clang::PragmaHandler {
     append_variable(preprocessor, call, variable, where);
     call.append(numbers.begin(), numbers.end());
     punctuate(call, clang::tok::r_paren, where);
+    return call;
+  }
+
+  static Tokens as_statement(Tokens call, clang::SourceLocation where) {
     punctuate(call, clang::tok::semi, where);
     return call;
+  }
+
+  /// `if ((call, 1))`, of which the loop's lone statement becomes the body: a pragma may stand before it.
+  Tokens before_body(clang::Preprocessor& preprocessor, const Tokens& call, clang::SourceLocation where) {
+    heads_->pass_on_body();
+    Tokens head;
+    append_word(preprocessor, head, "if", where);
+    punctuate(head, clang::tok::l_paren, where);
+    punctuate(head, clang::tok::l_paren, where);
+    head.append(call.begin(), call.end());
+    punctuate(head, clang::tok::comma, where);
+    head.push_back(blank(clang::tok::numeric_constant, where));
+    preprocessor.CreateString("1", head.back(), where, where);
+    punctuate(head, clang::tok::r_paren, where);
+    punctuate(head, clang::tok::r_paren, where);
+    return head;
   }
 
   static clang::Token blank(clang::tok::TokenKind kind, clang::SourceLocation where) {
@@ -160,13 +208,17 @@ class HlsPragmaHandler : public clang::PragmaHandler {
     preprocessor.EnterTokenStream(std::move(owned), tokens.size(), /*DisableMacroExpansion=*/true,
                                   /*IsReinject=*/false);
   }
+
+  std::shared_ptr<LoopHeads> heads_;
 };
 
 }  // namespace
 
 void add_pragma_handler(clang::Preprocessor& preprocessor) {
+  auto heads = std::make_shared<LoopHeads>();
+  preprocessor.setTokenWatcher([heads](const clang::Token& token) { heads->see(token); });
   for (const char* spelling : {"HLS", "hls", "AP"})
-    preprocessor.AddPragmaHandler(new HlsPragmaHandler(preprocessor, spelling));
+    preprocessor.AddPragmaHandler(new HlsPragmaHandler(heads, spelling));
 }
 
 }  // namespace hlsc

@@ -59,6 +59,8 @@ class LeafCollector {
   }
 
   void collect_scalar(clang::QualType type, const std::string& name, uint64_t offset) {
+    if (type->isFloatingType())
+      refuse({}, "'" + type.getAsString() + "' has no operators in hardware yet; use ap_fixed<W, I>");
     if (!type->isIntegralOrEnumerationType())
       refuse({},
              "type '" + type.getAsString() +

@@ -82,6 +82,20 @@ struct UnrollUpToTheBound : PassInfoMixin<UnrollUpToTheBound> {
   }
 };
 
+/// How deep loops may lie in each other whose bounds depend on the loops around them.
+constexpr int kNestedUnrolls = 4;
+
+bool has_loops_to_unroll(Module& module) {
+  for (Function& function : module) {
+    if (function.isDeclaration()) continue;
+    DominatorTree dominators(function);
+    LoopInfo loops(dominators);
+    for (Loop* loop : loops.getLoopsInPreorder())
+      if (getBooleanLoopAttribute(loop, "llvm.loop.unroll.full")) return true;
+  }
+  return false;
+}
+
 class Optimizer {
  public:
   explicit Optimizer(Module& module) : module_(module) {
@@ -142,6 +156,7 @@ class Optimizer {
     passes.addPass(LoopUnrollPass(LoopUnrollOptions(/*OptLevel=*/2, /*OnlyWhenForced=*/true)));
     simplify(passes);
     run(std::move(passes));
+    for (int level = 0; level < kNestedUnrolls && has_loops_to_unroll(module_); ++level) unroll_again();
     dissolve_constant_subscripts(module_);
     FunctionPassManager late;
     simplify(late);
@@ -194,6 +209,15 @@ class Optimizer {
   static void add_licm(FunctionPassManager& passes) {
     passes.addPass(createFunctionToLoopPassAdaptor(LICMPass(LICMOptions()), /*UseMemorySSA=*/true));
   }
+  /// Loops whose bounds were the variables of a loop that has dissolved since.
+  void unroll_again() {
+    FunctionPassManager passes;
+    passes.addPass(UnrollUpToTheBound());
+    passes.addPass(LoopUnrollPass(LoopUnrollOptions(/*OptLevel=*/2, /*OnlyWhenForced=*/true)));
+    simplify(passes);
+    run(std::move(passes));
+  }
+
   void run(FunctionPassManager passes) {
     ModulePassManager all;
     all.addPass(createModuleToFunctionPassAdaptor(std::move(passes)));
@@ -304,6 +328,30 @@ bool has_calls_to_inline(Module& module) {
   return false;
 }
 
+bool calls_functions(const Program& program, const Function& function) {
+  return any_of(instructions(function), [&](const Instruction& instruction) {
+    auto* call = dyn_cast<CallInst>(&instruction);
+    const Function* callee = call ? call->getCalledFunction() : nullptr;
+    return callee && program.functions.count(callee->getName().str());
+  });
+}
+
+/// A DATAFLOW function of loops alone has no processes: it runs as it is written.
+void drop_empty_regions(const Program& program, Diagnostics& diagnostics) {
+  for (Function& function : *program.module) {
+    if (function.isDeclaration() || !function_directive(function, "DATAFLOW")) continue;
+    if (calls_functions(program, function)) continue;
+    function.removeFnAttr("hls-dataflow");
+    SourceLocation where;
+    if (DISubprogram* source = function.getSubprogram())
+      where = {source->getFilename().str(), source->getLine(), 0};
+    diagnostics.warn(
+        where,
+        "DATAFLOW has no effect: processes are the functions that are called here, and there are "
+        "none; put each loop into a function of its own");
+  }
+}
+
 /// Unrolls the DATAFLOW functions' loops and separates their objects.
 void prepare_regions(const Program& program, Optimizer& optimizer) {
   // LLVM unrolls no loop with a call that could be inlined; mark_for_inlining decides anew.
@@ -359,6 +407,7 @@ MiddleResult run_middle(Program& program, const LoopChoice& keeps_apart, Diagnos
   resolve_loop_directives(module, result.directives, diagnostics);
   expand_memory_copies(module);
   lower_streams(module, program.stream_types);
+  drop_empty_regions(program, diagnostics);
   result.processes = find_processes(program);
   Optimizer optimizer(module);
   prepare_regions(program, optimizer);

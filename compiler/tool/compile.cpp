@@ -40,10 +40,7 @@ class Compilation {
         result_.diagnostics);
     for (const SourceLocation& place : middle.flattened) flattened_.insert(place.text());
     auto top = program_.functions.find(program_.top);
-    if (top == program_.functions.end())
-      throw CompileError("the parameters of '" + options_.frontend.top +
-                         "' have no hardware form; use integers, ap types, structs, arrays of known size and "
-                         "hls::stream references");
+    if (top == program_.functions.end()) throw CompileError(program_.top_problem);
     result_.top = top->second;
     names_.unique(result_.top.name);
     bool is_region = middle.processes.size() > 1;

@@ -89,6 +89,9 @@ void add_compile_options(CLI::App& command, hlsc::CompileOptions& options, Proje
 int main(int argc, char** argv) {
   CLI::App app("High-level synthesis: Vitis-style C++ to Verilog");
   app.require_subcommand(1);
+  app.failure_message([](const CLI::App*, const CLI::Error& failure) {
+    return std::string("error: ") + failure.what() + "; floorline-hlsc --help tells the options\n";
+  });
   hlsc::CompileOptions options;
   options.target.clear();
   options.period = 0;

@@ -305,15 +305,29 @@ class TopWriter {
       body_ << "    wire" << range_text(address) << " " << member << "_write_address, " << member
             << "_read_address;\n    wire " << member << "_write, " << member << "_read;\n";
       body_ << "    wire" << range_text(width) << " " << member << "_d, " << member << "_q;\n";
-      body_ << "    ram_1r1w #(\n        .WIDTH(" << width << "),\n        .DEPTH("
-            << (uint64_t{2} << address) << "),\n        .ADDRESS_WIDTH(" << address + 1 << ")\n    ) "
-            << member << "_banks (\n        .clk(ap_clk),\n";
-      body_ << "        .write_enable(" << member << "_write),\n        .write_address({" << name
-            << "_write_bank, " << member << "_write_address}),\n        .write_data(" << member << "_d),\n";
-      body_ << "        .read_enable(" << member << "_read),\n        .read_address({" << name
-            << "_read_bank, " << member << "_read_address}),\n        .read_data(" << member
-            << "_q)\n    );\n";
+      add_banks(channel, member, width, "_read", {member + "_banks", member + "_read", member + "_q"});
+      if (!channel.read_back.count(byte_offset)) continue;
+      body_ << "    wire" << range_text(address) << " " << member << "_back_address;\n    wire " << member
+            << "_back;\n    wire" << range_text(width) << " " << member << "_back_q;\n";
+      add_banks(channel, member, width, "_write",
+                {member + "_back_banks", member + "_back", member + "_back_q"});
     }
+  }
+
+  struct BankReader {
+    std::string ram, enable, data;
+  };
+  /// A member's banks as one side reads them: `side` is _read or _write.
+  void add_banks(const RegionChannel& channel, const std::string& member, unsigned width,
+                 const std::string& side, const BankReader& reader) {
+    unsigned address = address_bits(channel.depth);
+    body_ << "    ram_1r1w #(\n        .WIDTH(" << width << "),\n        .DEPTH(" << (uint64_t{2} << address)
+          << "),\n        .ADDRESS_WIDTH(" << address + 1 << ")\n    ) " << reader.ram
+          << " (\n        .clk(ap_clk),\n        .write_enable(" << member
+          << "_write),\n        .write_address({" << channel.name << "_write_bank, " << member
+          << "_write_address}),\n        .write_data(" << member << "_d),\n        .read_enable("
+          << reader.enable << "),\n        .read_address({" << channel.name << side << "_bank, "
+          << reader.enable << "_address}),\n        .read_data(" << reader.data << ")\n    );\n";
   }
 
   /// Ports of an array that a process fills and none reads.
@@ -322,6 +336,17 @@ class TopWriter {
     for (const char* port : {"_address0", "_ce0", "_we0", "_d0"})
       out += ",\n        ." + memory + port + "()";
     return out;
+  }
+
+  /// What an instance's address port is tied to: NAME_address, or a wider wire that is cut to it.
+  std::string channel_address(const RegionChannel& channel, const ChannelPort& port,
+                              const std::string& name) {
+    unsigned inside = address_bits(channel.depth);
+    if (port.address_width <= inside) return name + "_address";
+    std::string wide = name + "_index";
+    body_ << "    wire" << range_text(port.address_width) << " " << wide << ";\n    assign " << name
+          << "_address = " << resized_text(wide, port.address_width, false, inside) << ";\n";
+    return wide;
   }
 
   /// Connects the ports of an instance to its channels; gives the condition under which the instance may
@@ -337,22 +362,20 @@ class TopWriter {
         continue;
       }
       bool writes = channel.writer == static_cast<int>(index);
-      std::string member = member_name(channel, port.byte_offset);
-      std::string address = member + (writes ? "_write_address" : "_read_address");
-      unsigned inside = address_bits(channel.depth);
-      if (port.address_width > inside) {
-        std::string wide = member + (writes ? "_write_index" : "_read_index");
-        body_ << "    wire" << range_text(port.address_width) << " " << wide << ";\n    assign " << address
-              << " = " << resized_text(wide, port.address_width, false, inside) << ";\n";
-        address = wide;
+      std::string member = member_name(channel, port.byte_offset), memory = ",\n        ." + port.memory;
+      auto read = [&](const std::string& name, const std::string& data) {
+        out << memory << "_address0(" << channel_address(channel, port, name) << ")" << memory << "_ce0("
+            << name << ")" << memory << "_q0(" << data << ")";
+      };
+      if (port.reads_back) read(member + "_back", member + "_back_q");
+      if (writes) {
+        std::string number = port.reads_back ? "1" : "0";
+        out << memory << "_address" << number << "(" << channel_address(channel, port, member + "_write")
+            << ")" << memory << "_ce" << number << "()" << memory << "_we" << number << "(" << member
+            << "_write)" << memory << "_d" << number << "(" << member << "_d)";
+      } else {
+        read(member + "_read", member + "_q");
       }
-      out << ",\n        ." << port.memory << "_address0(" << address << ")";
-      if (writes)
-        out << ",\n        ." << port.memory << "_ce0(),\n        ." << port.memory << "_we0(" << member
-            << "_write),\n        ." << port.memory << "_d0(" << member << "_d)";
-      else
-        out << ",\n        ." << port.memory << "_ce0(" << member << "_read),\n        ." << port.memory
-            << "_q0(" << member << "_q)";
       if (!seen.insert(port.channel).second) continue;
       gate += " & " + channel.name + (writes ? "_free" : "_ready");
       ends +=

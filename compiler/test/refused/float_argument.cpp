@@ -1,2 +1,2 @@
 float float_argument(float x) { return x * 2.0f; }
-// error: the parameters of 'float_argument' have no hardware form; use integers, ap types, structs, arrays of known size and hls::stream references
+// error: 1:28: 'float' has no operators in hardware yet; use ap_fixed<W, I>

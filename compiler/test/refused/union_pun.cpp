@@ -7,4 +7,4 @@ unsigned union_pun(float x) {
   b.f = x;
   return b.u;
 }
-// error: the parameters of 'union_pun' have no hardware form; use integers, ap types, structs, arrays of known size and hls::stream references
+// error: 5:26: 'float' has no operators in hardware yet; use ap_fixed<W, I>
