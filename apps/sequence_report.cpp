@@ -28,7 +28,9 @@ constexpr StageView stage_views[kImageStages] = {
     {"Brightness of the camera image.", 1, 64},
     {"The reference frame as the floor homography says it should look now.", 1, 8},
     {"What the floor does not explain: |warped reference - current|, shown × 4.", 4, 64},
-    {"What moves against the floor: where a run ends in white, it ends on a body and not at a foot.", 1, 1},
+    {"Motion against the floor. White moves, grey stirs, black rests: a foot is black, its obstacle grey or "
+     "white.",
+     1, 1},
     {"The difference after the Gaussian 3×3, shown × 4.", 4, 64},
     {"Two thresholds: high bit white, low bit blue.", 1, 85},
     {"Erosion of the high bit, where the settings ask for it.", 1, 85},

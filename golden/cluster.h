@@ -8,15 +8,16 @@
 
 namespace floorline::golden {
 
-/// Neighbouring lines whose floor points lie together.
+/// Lines whose floor points lie together.
 struct Obstacle {
   int first_line = 0;
   int last_line = 0;
   FloorPoint nearest;  ///< The representative: the point nearest to the robot.
 };
 
-/// Joins points of neighbouring lines that lie nearer than gap_m; obstacles of fewer than min_lines lines are
-/// dropped.
+/// Takes of each line its nearest point, and of those the nearest one with all that lie within gap_m of it in
+/// x and in y as one obstacle, then the nearest of the rest, and so on, up to 64. Obstacles of fewer than
+/// min_lines lines are dropped. The nearest comes first.
 std::vector<Obstacle> cluster(const std::vector<FloorPoint>& points, double gap_m, int min_lines);
 
 }  // namespace floorline::golden

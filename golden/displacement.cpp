@@ -21,14 +21,16 @@ cv::Mat displacement(const cv::Mat& difference, const cv::Mat& gradient,
                      const DisplacementParameters& parameters) {
   const cv::Mat moved = window_sums(difference, parameters.noise);
   const cv::Mat texture = window_sums(gradient, parameters.noise);
-  cv::Mat moves(difference.size(), CV_8UC1);
-  for (int row = 0; row < moves.rows; ++row) {
+  cv::Mat motion(difference.size(), CV_8UC1, cv::Scalar(unknown_motion));
+  if (parameters.noise == 255) return motion;
+  for (int row = 0; row < motion.rows; ++row) {
     const double bound = parameters.bound_px + row * parameters.bound_step_px;
-    for (int u = 0; u < moves.cols; ++u) {
-      moves.at<uchar>(row, u) = moved.at<float>(row, u) > bound * texture.at<float>(row, u) ? 255 : 0;
+    for (int u = 0; u < motion.cols; ++u) {
+      const double allowed = bound * texture.at<float>(row, u), by = moved.at<float>(row, u);
+      motion.at<uchar>(row, u) = by > allowed ? moves : 2 * by > allowed ? stirs : rests;
     }
   }
-  return moves;
+  return motion;
 }
 
 }  // namespace floorline::golden

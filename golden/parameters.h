@@ -18,10 +18,10 @@ struct Thresholds {
   int low = 3;
 };
 
-/// Which pixels move against the floor (displacement.h).
+/// How far a pixel must have moved against the floor (displacement.h).
 struct DisplacementParameters {
-  int noise = 255;      ///< Grey levels that difference and gradient owe to the sensor; 255: nothing moves.
-  double bound_px = 0;  ///< What a still pixel may have moved in row 0...
+  int noise = 255;  ///< Grey levels that difference and gradient owe to the sensor; 255: no motion is known.
+  double bound_px = 0;       ///< What a still pixel may have moved in row 0...
   double bound_step_px = 0;  ///< ...and more of it a row further down.
 };
 
@@ -57,8 +57,8 @@ struct Parameters {
   DisplacementParameters displacement;
   RuleParameters rule;
   std::vector<Line> lines;
-  double cluster_gap_m = 0.25;  ///< Points of neighbouring lines nearer than this are one obstacle.
-  int min_lines = 2;            ///< Least neighbouring lines of an obstacle: lone lines are mostly noise.
+  double cluster_gap_m = 0.25;  ///< What lies so near to a nearer point, in x and y, is on its obstacle.
+  int min_lines = 2;            ///< Least lines of an obstacle: lone lines are mostly noise.
 };
 
 }  // namespace floorline::golden

@@ -19,14 +19,14 @@ Stages Pipeline::process(const cv::Mat& image, const Parameters& parameters) {
   stages.luma = lens_ ? lens_->rectify(luma(image)) : luma(image);
   stages.pairs = ring_.pair(stages.luma, parameters.homography, parameters.replace_reference);
   stages.difference = difference(stages.pairs);
-  stages.moves = displacement(stages.difference, stages.pairs.gradient, parameters.displacement);
+  stages.motion = displacement(stages.difference, stages.pairs.gradient, parameters.displacement);
   stages.blurred = gaussian(stages.difference);
   stages.high_threshold = high_threshold(parameters.threshold, otsu_threshold_);
   stages.otsu_threshold = otsu_threshold_ = otsu(stages.blurred);
   stages.binary = binarize(stages.blurred, stages.high_threshold, parameters.threshold.low);
   stages.eroded = parameters.erode_high ? erode(stages.binary) : stages.binary;
   stages.region = roi(stages.eroded, parameters.roi_first_row, parameters.roi_last_row);
-  stages.histogram = polar(stages.region, stages.moves, parameters.lines, parameters.rule);
+  stages.histogram = polar(stages.region, stages.motion, parameters.lines, parameters.rule);
   stages.points = birdseye(stages.histogram.contacts, parameters.birdseye);
   stages.obstacles = cluster(stages.points, parameters.cluster_gap_m, parameters.min_lines);
   return stages;

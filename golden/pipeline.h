@@ -20,7 +20,7 @@ struct Stages {
   cv::Mat luma;  ///< CV_8UC1; rectified when the pipeline has a lens.
   PixelPairs pairs;
   cv::Mat difference;  ///< CV_8UC1.
-  cv::Mat moves;       ///< CV_8UC1, 255 where the pixel moves against the floor.
+  cv::Mat motion;      ///< CV_8UC1, of each pixel against the floor (displacement.h).
   cv::Mat blurred;     ///< CV_8UC1.
   int otsu_threshold;  ///< Of this frame; the next one uses it.
   int high_threshold;  ///< Used for this frame.

@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "golden/displacement.h"
+
 namespace floorline::golden {
 namespace {
 
@@ -14,7 +16,9 @@ constexpr int triangle_score = 4;
 constexpr int paper_reach = 1;
 constexpr int run_reach = 3;
 /// Present rows in which a foot does not move.
-constexpr int still_rows_of_a_foot = 4;
+constexpr int still_rows_of_a_foot = 7;
+/// Present rows of an obstacle that at least stir.
+constexpr int stirring_rows_of_an_obstacle = 7;
 
 /// Set pixels of `mask` in columns first to last of a row; columns outside the image read 0.
 int set_pixels(const cv::Mat& mask, int row, int first, int last) {
@@ -34,17 +38,18 @@ int window_sum(const cv::Mat& mask, int row, int column, int reach) {
 struct Evidence {
   bool present;  ///< The run begins or goes on.
   int width;     ///< a_high.
-  bool moves;    ///< Against the floor.
+  uchar motion;  ///< Against the floor.
 };
 
-Evidence look(const Masks& masks, const cv::Mat& moves, const Step& step, Rule rule) {
-  const bool moving = window_sum(moves, step.row, step.first_column, 0) > 0;
+Evidence look(const Masks& masks, const cv::Mat& motion, const Step& step, Rule rule) {
+  const bool inside = step.first_column >= 0 && step.first_column < motion.cols;
+  const uchar moved = inside ? motion.at<uchar>(step.row, step.first_column) : rests;
   if (rule == Rule::paper) {
     const int width = window_sum(masks.high, step.row, step.first_column, paper_reach);
-    return {width > 0, width, moving};
+    return {width > 0, width, moved};
   }
   return {window_sum(masks.low, step.row, step.first_column, run_reach) > 0,
-          window_sum(masks.high, step.row, step.first_column, run_reach), moving};
+          window_sum(masks.high, step.row, step.first_column, run_reach), moved};
 }
 
 /// A run along a line while it lasts.
@@ -56,7 +61,9 @@ class Run {
     high_rows_ += evidence.width > 0;
     score_ = evidence.width <= width_before_ ? score_ + 1 : 0;  // eq. (18)
     width_before_ = evidence.width;
-    still_rows_ = evidence.moves ? 0 : still_rows_ + 1;
+    still_rows_ = evidence.motion == moves ? 0 : still_rows_ + 1;
+    stirring_rows_ += evidence.motion != rests;
+    last_rests_ = evidence.motion == rests || evidence.motion == unknown_motion;
     last_ = step;
   }
 
@@ -72,8 +79,10 @@ class Run {
     const int rows = last_.row - first_.row + 1;
     const int least_rows =
         std::max(rule.min_rows, cvFloor((foot.row - rule.horizon_row) * rule.height_ratio));
-    const bool still = still_rows_ >= still_rows_of_a_foot || contact_first || clipped;
-    if (rows < least_rows || 3 * high_rows_ < rows || !still) return std::nullopt;
+    const bool tall = rows >= least_rows && 3 * high_rows_ >= rows;
+    const bool stands = stirring_rows_ >= stirring_rows_of_an_obstacle;
+    const bool ends_still = still_rows_ >= still_rows_of_a_foot && last_rests_;
+    if (!tall || !stands || !(ends_still || contact_first || clipped)) return std::nullopt;
     return Contact{.u = foot.first_column, .v = foot.row, .rows = rows, .clipped = clipped};
   }
 
@@ -83,7 +92,9 @@ class Run {
   int high_rows_ = 0;
   int score_ = 0;
   int width_before_ = 0;
-  int still_rows_ = 0;  ///< Last present rows that did not move.
+  int still_rows_ = 0;     ///< Last present rows that did not move.
+  int stirring_rows_ = 0;  ///< Present rows that did not rest.
+  bool last_rests_ = false;
 };
 
 struct Decision {
@@ -93,7 +104,7 @@ struct Decision {
 
 /// Walks one line; returns its count of high pixels and appends the contacts with the rows in which they were
 /// decided.
-int walk_line(const Masks& masks, const cv::Mat& moves, int index, const Line& line,
+int walk_line(const Masks& masks, const cv::Mat& motion, int index, const Line& line,
               const RuleParameters& rule, std::vector<Decision>& decisions) {
   const std::vector<Step> steps = walk(line);
   const int max_gap = rule.kind == Rule::run ? rule.max_gap : 0;
@@ -105,7 +116,7 @@ int walk_line(const Masks& masks, const cv::Mat& moves, int index, const Line& l
     const auto [left, right] = std::minmax(step.first_column, step.last_column);
     count += set_pixels(masks.high, step.row, left, right);
 
-    const Evidence evidence = look(masks, moves, step, rule.kind);
+    const Evidence evidence = look(masks, motion, step, rule.kind);
     if (evidence.present) {
       if (!run) run.emplace(step);
       run->extend(step, evidence);
@@ -137,12 +148,12 @@ std::vector<Step> walk(const Line& line) {
   return steps;
 }
 
-PolarHistogram polar(const Masks& masks, const cv::Mat& moves, const std::vector<Line>& lines,
+PolarHistogram polar(const Masks& masks, const cv::Mat& motion, const std::vector<Line>& lines,
                      const RuleParameters& rule) {
   PolarHistogram histogram;
   std::vector<Decision> decisions;
   for (int i = 0; i < static_cast<int>(lines.size()); ++i) {
-    histogram.counts.push_back(walk_line(masks, moves, i, lines[i], rule, decisions));
+    histogram.counts.push_back(walk_line(masks, motion, i, lines[i], rule, decisions));
   }
   std::ranges::sort(decisions, {}, [](const Decision& d) { return std::pair(d.row, d.contact.line); });
   for (const Decision& decision : decisions) histogram.contacts.push_back(decision.contact);

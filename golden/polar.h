@@ -35,11 +35,11 @@ struct PolarHistogram {
   std::vector<Contact> contacts;  ///< In the order in which they are decided: by row, then by line.
 };
 
-/// Walks all lines over the masks; moves: CV_8UC1, what displacement() gives. a_r is eq. (17) around the
+/// Walks all lines over the masks; motion: CV_8UC1, what displacement() gives. a_r is eq. (17) around the
 /// first column of the line's run in row r, S_c eq. (18), rules as in docs/architecture.md. Columns outside
 /// the image read 0; when the first column lies outside, a_r is 0. Rows outside the image do not exist: a
 /// line that goes on below ends in the last row.
-PolarHistogram polar(const Masks& masks, const cv::Mat& moves, const std::vector<Line>& lines,
+PolarHistogram polar(const Masks& masks, const cv::Mat& motion, const std::vector<Line>& lines,
                      const RuleParameters& rule);
 
 }  // namespace floorline::golden

@@ -67,9 +67,9 @@ void accelerator(hls::stream<RgbPixel>& pixels, hls::stream<FloorPoint>& points,
 #pragma HLS STREAM variable = region depth = 2
   hls::stream<Change> changes("changes");
 #pragma HLS STREAM variable = changes depth = 2
-  // What moves waits until its pixel has passed the window filters: two rows and their pipelines.
-  hls::stream<ap_uint<1> > moves("moves");
-#pragma HLS STREAM variable = moves depth = 4096
+  // Motions wait until their pixels have passed the window filters: two rows and their pipelines.
+  hls::stream<Motion> motions("motions");
+#pragma HLS STREAM variable = motions depth = 4096
   hls::stream<Pixel> blurred("blurred");
   hls::stream<Pixel> measured("measured");
   hls::stream<Mask> binary("binary");
@@ -90,13 +90,13 @@ void accelerator(hls::stream<RgbPixel>& pixels, hls::stream<FloorPoint>& points,
   frame_ring<WIDTH, HEIGHT, Config::MARGIN>(luma_out, pairs, null_pixels, width, height,
                                             parameters.replace_reference, parameters.homography);
   difference<WIDTH, HEIGHT>(pairs, difference_out, changes, width, height);
-  displacement<WIDTH, HEIGHT>(changes, moves, width, height, parameters.displacement);
+  displacement<WIDTH, HEIGHT>(changes, motions, width, height, parameters.displacement);
   gaussian<WIDTH, HEIGHT>(difference_out, blurred, width, height);
   otsu<WIDTH, HEIGHT>(blurred, measured, thresholds, width, height);
   binarize<WIDTH, HEIGHT>(measured, thresholds, binary, width, height, parameters.threshold);
   erode<WIDTH, HEIGHT>(binary, eroded, width, height, parameters.erode_high);
   roi<WIDTH, HEIGHT>(eroded, region, width, height, parameters.roi_first_row, parameters.roi_last_row);
-  polar<WIDTH, HEIGHT, Config::MAX_LINES>(region, moves, contacts, counts, width, height,
+  polar<WIDTH, HEIGHT, Config::MAX_LINES>(region, motions, contacts, counts, width, height,
                                           parameters.line_count, parameters.rule, lines);
   birdseye(contacts, floor_points, parameters.birdseye);
   duplicate(floor_points, points, candidates);

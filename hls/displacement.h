@@ -1,5 +1,5 @@
-/// Which pixels move against the floor: what decides whether a run ends at a foot, which does not move, or on
-/// the body of an obstacle, which does (docs/detection.md).
+/// How far each pixel has moved against the floor: what tells the foot of an obstacle, which does not move,
+/// from its body, which does (docs/detection.md).
 ///
 /// An image that is shifted by p pixels differs from itself by p times its gradient, whatever it shows. So
 /// over the 2 * REACH + 1 columns around a pixel
@@ -7,7 +7,8 @@
 ///     sum max(0, difference - noise) / sum max(0, gradient - noise)
 ///
 /// is the mean displacement in pixels. The pixel moves when that exceeds bound + row * bound_step (the
-/// division is a product); with equal sums of 0 it does not. Columns outside the image count nothing. Exact.
+/// division is a product), it stirs when it exceeds half of that, else it rests, as it does when both sums
+/// are 0. With noise = 255 every pixel is unknown. Columns outside the image count nothing. Exact.
 ///
 /// II = 1; a frame takes width * height + REACH + depth cycles, depth ~6. Widths of at least 2 * REACH + 1.
 /// One DSP48E1.
@@ -58,14 +59,15 @@ inline Pixel above(Pixel value, Pixel noise) {
 
 }  // namespace displacement_sums
 
-/// in: width * height changes. out: as many bits, 1: moves.
+/// in: width * height changes. out: as many motions.
 template <int MAX_WIDTH, int MAX_HEIGHT>
-void displacement(hls::stream<Change>& in, hls::stream<ap_uint<1> >& out, Size width, Size height,
+void displacement(hls::stream<Change>& in, hls::stream<Motion>& out, Size width, Size height,
                   const DisplacementParameters& parameters) {
   using namespace displacement_sums;
   WindowSum differences = {};
   WindowSum gradients = {};
   ap_int<24> bound = parameters.bound;
+  const bool measured = parameters.noise != 255;
   // Row `height` holds no pixels, just the end of the last row's windows.
   bool windows_wait = true;
 PIXELS:
@@ -76,8 +78,11 @@ PIXELS:
     if (at.inside) change = in.read();
     const Sum moved = differences.take(above(change.difference, parameters.noise), at.u);
     const Sum texture = gradients.take(above(change.gradient, parameters.noise), at.u);
-    const ap_int<29> scaled = ap_int<29>(moved) << 16;  // as the bound
-    if (at.v != 0 || at.u >= REACH) out.write(scaled > bound * texture);
+    const ap_int<36> allowed = bound * texture;
+    const bool moves = (ap_int<30>(moved) << 16) > allowed;
+    const bool stirs = (ap_int<30>(moved) << 17) > allowed;
+    const Motion motion = moves ? MOVES : stirs ? STIRS : RESTS;
+    if (at.v != 0 || at.u >= REACH) out.write(measured ? motion : Motion(UNKNOWN));
     const bool row_complete = at.v != 0 && at.u == REACH - 1;
     if (row_complete) bound = bound + parameters.bound_step;
     if (row_complete && !at.inside) windows_wait = false;

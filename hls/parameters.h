@@ -33,9 +33,9 @@ struct ThresholdParameters {
   Pixel low;            ///< Threshold of the low bit.
 };
 
-/// Which pixels move against the floor (displacement.h).
+/// How far a pixel must have moved against the floor (displacement.h).
 struct DisplacementParameters {
-  Pixel noise;            ///< Grey levels that difference and gradient owe to the sensor; 255: nothing moves.
+  Pixel noise;            ///< Grey levels that difference and gradient owe to the sensor; 255: motion unknown.
   ap_int<24> bound;       ///< Pixels that a still one may have moved in row 0, Q8.16.
   ap_int<24> bound_step;  ///< More of them a row further down, Q8.16.
 };
@@ -60,7 +60,7 @@ struct FrameParameters {
   Size roi_first_row;
   Size roi_last_row;
   ap_uint<9> line_count;
-  ap_uint<24> cluster_gap;   ///< Metres, Q8.16: neighbouring points nearer than this are one obstacle.
+  ap_uint<24> cluster_gap;   ///< Metres, Q8.16: points so near in x and y are one obstacle.
   ProjectiveMap homography;  ///< Current pixel -> reference pixel.
   ProjectiveMap birdseye;    ///< Pixel -> floor metres in the robot frame.
   ThresholdParameters threshold;

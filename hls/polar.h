@@ -13,7 +13,7 @@
 ///   window  eq. (17) around the column, columns outside the image read 0. Paper rule: a_high over 3 columns
 ///   (l = 1).
 ///           Run rule: bit 1 is a_high >= 1, bit 0 a_low >= 1, over 7 columns (l = 3);
-///   moves   whether the pixel moves against the floor (displacement.h).
+///   motion  how far the pixel has moved against the floor (displacement.h).
 ///
 /// Definitions at the borders. a_r belongs to the first column of the run in walk order; where that lies
 /// outside the image, a_r = 0. Only columns inside the image are counted. Rows at or below `height` do not
@@ -25,9 +25,11 @@
 /// >= 1) and ends at the first row that is more than the allowed gap (paper: 0) below its last present row,
 /// or at the line's last row, then `clipped`. rows = last present row - first + 1. Paper: S_c counts up while
 /// a_r does not grow, else 0; contact when S_c > 4, in the last present row. Run: contact when rows >=
-/// max(min_rows, least height there), at least a third of the rows are high, and its last STILL_ROWS present
-/// rows do not move: a foot does not, what stands above it does. In the last present row, or the first for
-/// contact_first lines (ignored by the paper rule). Clipped runs and contact_first lines need not end still.
+/// max(min_rows, least height there), at least a third of the rows are high, at least STIRRING_ROWS present
+/// rows stir or move (what lies flat on the floor does neither), none of the last STILL_ROWS present rows
+/// moves and the last one rests: a foot does not move, what stands above it does. In the last present row, or
+/// the first for contact_first lines (ignored by the paper rule). Clipped runs and contact_first lines need
+/// not end still.
 ///
 /// Cycles a frame: width * height + LINE_DELAY + line_count + depth, II = 1. Latency from the last pixel of
 /// the deciding row to the contact: LINE_DELAY + line index + depth; from the decided pixel itself at most
@@ -54,17 +56,20 @@ const int TRIANGLE_SCORE = 4;
 const int REACH = 3;
 const int TAPS = 2 * REACH + 1;
 /// Present rows in which a foot does not move.
-const int STILL_ROWS = 4;
+const int STILL_ROWS = 7;
+/// Present rows of an obstacle that move, if only by half of what a foot may.
+const int STIRRING_ROWS = 7;
+typedef ap_uint<3> FewRows;  ///< A count of rows up to 7.
 
 /// What the steps need of one column, see above.
 struct Summary {
   Size before;
   ap_uint<1> high;
   ap_uint<2> window;
-  ap_uint<1> moves;
+  Motion motion;
 };
 
-/// Where a line stands between two rows. Packs into 92 bits.
+/// Where a line stands between two rows. Packs into 96 bits.
 struct LineState {
   Coordinate column;  ///< First column of the coming run.
   Size error;
@@ -75,7 +80,9 @@ struct LineState {
   Size last_row;              ///< Last present row of the run.
   Size score;                 ///< Paper: S_c. Run rule: high rows.
   Coordinate contact_column;  ///< u of the contact that the run would give.
-  ap_uint<3> still_rows;      ///< Last present rows that did not move, up to STILL_ROWS.
+  FewRows still_rows;         ///< Last present rows that did not move, up to STILL_ROWS.
+  FewRows stirring_rows;      ///< Present rows that stirred or moved, up to STIRRING_ROWS.
+  ap_uint<1> rests;           ///< The last present row does.
 };
 
 /// Columns that a line covers in one row, and its state for the next row (but for rule and count).
@@ -86,8 +93,8 @@ struct Step {
   LineState next;
 };
 
-/// A pixel as the engine takes it in: bit 2 moves, bits 1:0 the mask.
-typedef ap_uint<3> Sample;
+/// A pixel as the engine takes it in: bits 3:2 its motion, bits 1:0 the mask.
+typedef ap_uint<4> Sample;
 
 /// The last pixels of the stream; [REACH] is the centre of the window.
 struct Taps {
@@ -162,9 +169,15 @@ inline Size clamp_column(Coordinate column, Size width) {
   return column < width ? Size(column) : Size(width - 1);
 }
 
+/// One more row, as long as the count has not reached `most`.
+inline FewRows one_more(FewRows rows, int most) {
+#pragma HLS INLINE
+  return rows == most ? rows : FewRows(rows + 1);
+}
+
 /// Feeds a_r of `row` to the rule. True when a run ended here as a contact, which is then in `contact`.
 inline bool apply_rule(const RuleParameters& rule, const LineSetup& line, Size row, bool line_ends,
-                       Coordinate column, ap_uint<2> window, ap_uint<1> moves, LineState& state,
+                       Coordinate column, ap_uint<2> window, Motion motion, LineState& state,
                        Contact& contact) {
 #pragma HLS INLINE
   const bool in_run = state.present != 0;
@@ -174,9 +187,11 @@ inline bool apply_rule(const RuleParameters& rule, const LineSetup& line, Size r
     const Size high_rows = (in_run ? state.score : Size(0)) + ap_uint<1>(window[1]);
     const Size triangle = window <= state.present ? Size(state.score + 1) : Size(0);
     state.score = rule.run_rule ? high_rows : triangle;
-    const ap_uint<3> still_before = in_run ? state.still_rows : ap_uint<3>(0);
-    const bool enough = still_before == STILL_ROWS;
-    state.still_rows = moves ? ap_uint<3>(0) : enough ? still_before : ap_uint<3>(still_before + 1);
+    const FewRows still_before = in_run ? state.still_rows : FewRows(0);
+    const FewRows stirring_before = in_run ? state.stirring_rows : FewRows(0);
+    state.still_rows = motion == MOVES ? FewRows(0) : one_more(still_before, STILL_ROWS);
+    state.stirring_rows = motion == RESTS ? stirring_before : one_more(stirring_before, STIRRING_ROWS);
+    state.rests = motion == RESTS || motion == UNKNOWN;
     if (!in_run) state.first_row = row;
     if (!in_run || !first_counts) state.contact_column = column;
     state.last_row = row;
@@ -194,7 +209,9 @@ inline bool apply_rule(const RuleParameters& rule, const LineSetup& line, Size r
   const Size contact_row = first_counts ? state.first_row : state.last_row;
   const ap_int<24> least_rows = ((contact_row - rule.horizon_row) * rule.height_ratio) >> 8;
   const bool tall = rows >= rule.min_rows && rows >= least_rows && 3 * state.score >= rows;
-  const bool still = state.still_rows == STILL_ROWS || line.contact_first || !gap_ends;
+  const bool stands = state.stirring_rows == STIRRING_ROWS;
+  const bool ends_still = state.still_rows == STILL_ROWS && state.rests;
+  const bool still = ends_still || line.contact_first || !gap_ends;
   const bool triangle = state.score > TRIANGLE_SCORE;
 
   contact.u = state.contact_column;
@@ -202,16 +219,16 @@ inline bool apply_rule(const RuleParameters& rule, const LineSetup& line, Size r
   contact.rows = rule.run_rule ? rows : state.score;
   contact.clipped = !gap_ends;
   contact.end = 0;
-  return ended && (rule.run_rule ? tall && still : triangle);
+  return ended && (rule.run_rule ? tall && stands && still : triangle);
 }
 
 }  // namespace polar_engine
 
-/// Mask and moves (width * height pixels) -> contacts, in the order of their deciding rows, and one LineCount
-/// a line at frame end. Widths of at least LINE_SLACK, up to MAX_WIDTH; lines: host memory of MAX_LINES
-/// entries, read once a row.
+/// Mask and motion (width * height pixels) -> contacts, in the order of their deciding rows, and one
+/// LineCount a line at frame end. Widths of at least LINE_SLACK, up to MAX_WIDTH; lines: host memory of
+/// MAX_LINES entries, read once a row.
 template <int MAX_WIDTH, int MAX_HEIGHT, int MAX_LINES>
-void polar(hls::stream<Mask>& mask, hls::stream<ap_uint<1> >& moves, hls::stream<Contact>& contacts,
+void polar(hls::stream<Mask>& mask, hls::stream<Motion>& motions, hls::stream<Contact>& contacts,
            hls::stream<LineCount>& counts, Size width, Size height, ap_uint<9> line_count,
            const RuleParameters& rule, const LineSetup lines[MAX_LINES]) {
   static_assert(MAX_LINES <= 256, "LineIndex holds 8 bits: at most 256 lines");
@@ -253,7 +270,7 @@ CYCLES:
     Sample pixel = 0;
     if (streaming) {
       const Mask bits = mask.read();
-      pixel = (moves.read(), bits);
+      pixel = (motions.read(), bits);
     }
     shift(taps, pixel);
     const bool row_before = at.u < REACH;
@@ -261,7 +278,7 @@ CYCLES:
     const ap_uint<1> centre_half = at.v[0] ^ ap_uint<1>(row_before);
     const Sample middle = taps.pixel[REACH];
     const Summary summary = {high_before, ap_uint<1>(middle[1]), window_sum(taps, at.u, rule.run_rule),
-                             ap_uint<1>(middle[2])};
+                             Motion(middle.range(3, 2))};
     left_columns[centre][centre_half] = summary;
     right_columns[centre][centre_half] = summary;
     high_before = at.u == REACH - 1 ? Size(0) : Size(high_before + summary.high);
@@ -285,7 +302,7 @@ CYCLES:
         Contact contact;
         contact.line = index;
         if (apply_rule(rule, line, row, line_ends, step.first, first_in_image ? first.window : ap_uint<2>(0),
-                       first.moves, next, contact)) {
+                       first.motion, next, contact)) {
           contacts.write(contact);
         }
         states[index] = next;

@@ -35,6 +35,13 @@ struct Change {
   Pixel gradient;
 };
 
+/// How far a pixel has moved against the floor (displacement.h), by what a foot may seem to have moved.
+typedef ap_uint<2> Motion;
+const int RESTS = 0;    ///< At most half of that: a foot.
+const int STIRS = 1;    ///< More than half of it.
+const int UNKNOWN = 2;  ///< Not measured: taken for whatever is asked.
+const int MOVES = 3;    ///< More than it: what stands above the floor.
+
 /// One Bresenham line as the polar engine walks it, top to bottom, one row a step (run-slice Bresenham).
 /// In row first_row the run starts at first_column and holds first_run pixels; later runs hold slice or slice
 /// + 1, the last one last_run.

@@ -25,9 +25,9 @@ struct Settings {
   bool erode = false;            ///< Erosion of the high mask.
   int line_count = 256;
   int roi_margin_rows = 20;    ///< Rows between the horizon and the first one that is looked at.
-  double cluster_gap_m = 0.5;  ///< Points of neighbouring lines nearer than this are one obstacle.
+  double cluster_gap_m = 0.5;  ///< What lies so near to a nearer point, in x and y, is on its obstacle.
   int min_lines = 2;           ///< Least lines of an obstacle.
-  int noise = 2;          ///< Grey levels of difference and gradient that the sensor owes; 255: no foot test.
+  int noise = 2;          ///< Grey levels of difference and gradient that the sensor owes; 255: no test of body and foot.
   double still_px = 0.8;  ///< What a foot may seem to have moved, for noise and odometry...
   double still_rows = 3;  ///< ...and as much more as an obstacle moves so many rows above its foot.
   ReferenceRule reference = {};

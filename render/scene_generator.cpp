@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr int frames = 17;  // two pairs at a baseline of 8
+constexpr int frames = 21;  // two pairs at a baseline of 8, with room between them
 constexpr double robot_radius_m = 0.35;  // kept free around the path
 constexpr double view_half_width = 0.6;  // tangent of half the horizontal field of view, a little inside
 

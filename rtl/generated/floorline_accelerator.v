@@ -164,21 +164,21 @@ module floorline_accelerator (
         .m_ready(changes_read)
     );
 
-    // moves: 4096 x 1
-    wire moves_din, moves_dout;
-    wire moves_full_n, moves_write, moves_empty_n, moves_read;
+    // motions: 4096 x 2
+    wire [1:0] motions_din, motions_dout;
+    wire motions_full_n, motions_write, motions_empty_n, motions_read;
     fifo #(
-        .WIDTH(1),
+        .WIDTH(2),
         .DEPTH(4096)
-    ) moves_fifo (
+    ) motions_fifo (
         .clk(ap_clk),
         .rst(rst),
-        .s_data(moves_din),
-        .s_valid(moves_write),
-        .s_ready(moves_full_n),
-        .m_data(moves_dout),
-        .m_valid(moves_empty_n),
-        .m_ready(moves_read)
+        .s_data(motions_din),
+        .s_valid(motions_write),
+        .s_ready(motions_full_n),
+        .m_data(motions_dout),
+        .m_valid(motions_empty_n),
+        .m_ready(motions_read)
     );
 
     // blurred: 2 x 8
@@ -694,9 +694,9 @@ module floorline_accelerator (
         .in_dout(changes_dout),
         .in_empty_n(changes_empty_n),
         .in_read(changes_read),
-        .out_din(moves_din),
-        .out_full_n(moves_full_n),
-        .out_write(moves_write),
+        .out_din(motions_din),
+        .out_full_n(motions_full_n),
+        .out_write(motions_write),
         .width(displacement_scalars[11:0]),
         .height(displacement_scalars[23:12]),
         .parameters_noise_V(displacement_scalars[31:24]),
@@ -907,9 +907,9 @@ module floorline_accelerator (
         .mask_dout(region_dout),
         .mask_empty_n(region_empty_n),
         .mask_read(region_read),
-        .moves_dout(moves_dout),
-        .moves_empty_n(moves_empty_n),
-        .moves_read(moves_read),
+        .motions_dout(motions_dout),
+        .motions_empty_n(motions_empty_n),
+        .motions_read(motions_read),
         .contacts_din(contacts_din),
         .contacts_full_n(contacts_full_n),
         .contacts_write(contacts_write),

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "golden/displacement.h"
 #include "hls/accelerator.h"
 #include "host/error.h"
 
@@ -45,6 +46,17 @@ cv::Mat tap(hls::stream<Element>& stream, cv::Size size) {
   return tap(stream, size, [](const Element& element) { return element; });
 }
 
+/// Motions as the golden model's grey levels.
+cv::Mat as_grey(const cv::Mat& motions) {
+  cv::Mat levels = cv::Mat::zeros(1, 256, CV_8UC1), grey;
+  levels.at<uchar>(RESTS) = golden::rests;
+  levels.at<uchar>(STIRS) = golden::stirs;
+  levels.at<uchar>(UNKNOWN) = golden::unknown_motion;
+  levels.at<uchar>(MOVES) = golden::moves;
+  cv::LUT(motions, levels, grey);
+  return grey;
+}
+
 void send(const cv::Mat& image, hls::stream<RgbPixel>& pixels) {
   for (int v = 0; v < image.rows; ++v) {
     const uchar* row = image.ptr(v);
@@ -73,7 +85,7 @@ void run_captured(hls::stream<RgbPixel>& pixels, hls::stream<FloorPoint>& points
       measured("measured"), thresholds("thresholds");
   hls::stream<PixelPair> pairs("pairs");
   hls::stream<Change> changes("changes");
-  hls::stream<ap_uint<1>> moves("moves");
+  hls::stream<Motion> motions("motions");
   hls::stream<Mask> binary("binary"), eroded("eroded"), region("region");
   hls::stream<Contact> contacts("contacts");
   hls::stream<FloorPoint> floor_points("floor_points"), candidates("candidates");
@@ -87,8 +99,8 @@ void run_captured(hls::stream<RgbPixel>& pixels, hls::stream<FloorPoint>& points
   capture.valid = tap(pairs, size, [](const PixelPair& pair) { return pair.valid; });
   difference<kWidth, kHeight>(pairs, difference_out, changes, p.width, p.height);
   capture.difference = tap(difference_out, size);
-  displacement<kWidth, kHeight>(changes, moves, p.width, p.height, p.displacement);
-  capture.moves = 255 * tap(moves, size);
+  displacement<kWidth, kHeight>(changes, motions, p.width, p.height, p.displacement);
+  capture.motion = as_grey(tap(motions, size));
   gaussian<kWidth, kHeight>(difference_out, blurred, p.width, p.height);
   capture.blurred = tap(blurred, size);
   otsu<kWidth, kHeight>(blurred, measured, thresholds, p.width, p.height);
@@ -99,8 +111,8 @@ void run_captured(hls::stream<RgbPixel>& pixels, hls::stream<FloorPoint>& points
   capture.eroded = tap(eroded, size);
   roi<kWidth, kHeight>(eroded, region, p.width, p.height, p.roi_first_row, p.roi_last_row);
   capture.region = tap(region, size);
-  polar<kWidth, kHeight, Config::MAX_LINES>(region, moves, contacts, counts, p.width, p.height, p.line_count,
-                                            p.rule, lines);
+  polar<kWidth, kHeight, Config::MAX_LINES>(region, motions, contacts, counts, p.width, p.height,
+                                            p.line_count, p.rule, lines);
   capture.contacts = drain(contacts);
   for (const Contact& contact : capture.contacts) contacts.write(contact);
   contacts.write(Contact{0, 0, 0, 0, 0, 1});

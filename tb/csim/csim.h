@@ -23,7 +23,7 @@ struct StageCapture {
   cv::Mat luma;
   cv::Mat reference, gradient, valid;  ///< The reference as the homography finds it; valid 0 or 1.
   cv::Mat difference;
-  cv::Mat moves;  ///< 0 or 255.
+  cv::Mat motion;  ///< As golden::displacement() gives it.
   cv::Mat blurred;
   int otsu_threshold;  ///< Otsu's threshold that this frame was offered: found on the frame before.
   cv::Mat binary, eroded, region;

@@ -31,6 +31,7 @@ inline Parameters parameters_of(cv::Size size) {
   parameters.birdseye = {0, -0.01, size.height * 0.01, -0.01, 0, size.width * 0.005, 0, 0, 1};
   parameters.roi_last_row = size.height - 1;
   parameters.threshold = {.floor = 20, .override_high = 30, .low = 11};
+  parameters.cluster_gap_m = 0.75;
   for (int i = 0; i < 60; ++i) {
     const int u = i * size.width / 60;
     parameters.lines.push_back({{u, 0}, {u, size.height - 1}});

@@ -10,7 +10,7 @@
 namespace floorline {
 namespace {
 
-constexpr int kMaxLines = 64;
+constexpr int kMaxLines = 96;
 constexpr double kGap = 0.25;
 
 /// A point on the floor; the image coordinates just mark which one it is.
@@ -71,18 +71,23 @@ TEST(Cluster, KeepsTheNearestPointOfALine) {
 
 TEST(Cluster, SeparatesWhatLiesFartherApartThanTheGap) {
   EXPECT_THAT(
-      clustered({point(4, 2.0, 0, 1), point(5, 2.0, 0.2, 2), point(6, 2.5, 0.2, 3), point(7, 2.6, 0.2, 4)}),
-      ElementsAre(Report{4, 5, 1}, Report{6, 7, 3}));
+      clustered({point(4, 2.5, 0.2, 3), point(5, 2.6, 0.2, 4), point(6, 2.0, 0, 1), point(7, 2.0, 0.2, 2)}),
+      ElementsAre(Report{6, 7, 1}, Report{4, 5, 3}));
 }
 
-TEST(Cluster, BridgesTwoLinesWithoutAPointButNotThree) {
-  EXPECT_THAT(clustered({point(4, 2.0, 0, 1), point(7, 2.0, 0.1, 2)}), ElementsAre(Report{4, 7, 1}));
-  EXPECT_THAT(clustered({point(4, 2.0, 0, 1), point(8, 2.0, 0.1, 2)}), IsEmpty());
+TEST(Cluster, JoinsAcrossAnyLinesBetween) {
+  EXPECT_THAT(clustered({point(4, 2.0, 0, 1), point(30, 0.5, 0.1, 9), point(60, 2.0, 0.1, 2)}),
+              ElementsAre(Report{4, 60, 1}));
 }
 
-TEST(Cluster, IsNotSplitByAStrayPointBetween) {
-  EXPECT_THAT(clustered({point(4, 2.0, 0, 1), point(5, 0.5, 0.1, 9), point(6, 2.0, 0.1, 2)}),
-              ElementsAre(Report{4, 6, 1}));
+TEST(Cluster, DoesNotGrowBeyondTheGapAroundItsNearestPoint) {
+  EXPECT_THAT(clustered({point(4, 2.0, 0, 1), point(5, 2.2, 0, 2), point(6, 2.4, 0, 3)}, 1),
+              ElementsAre(Report{4, 5, 1}, Report{6, 6, 3}));
+}
+
+TEST(Cluster, OfEquallyNearPointsTheFirstLineComesFirst) {
+  EXPECT_THAT(clustered({point(9, 2.0, 1, 2), point(4, 2.0, -1, 1)}, 1),
+              ElementsAre(Report{4, 4, 1}, Report{9, 9, 2}));
 }
 
 TEST(Cluster, DropsOrKeepsLoneLines) {
@@ -91,9 +96,11 @@ TEST(Cluster, DropsOrKeepsLoneLines) {
   EXPECT_THAT(clustered({point(4, 2.0, 0, 1)}, 0), ElementsAre(Report{4, 4, 1})) << "0 counts as 1";
 }
 
-TEST(Cluster, DoesNotJoinTheFirstAndTheLastLine) {
-  EXPECT_THAT(clustered({point(0, 2.0, 0, 1), point(kMaxLines - 1, 2.0, 0, 2)}, 1),
-              ElementsAre(Report{0, 0, 1}, Report{kMaxLines - 1, kMaxLines - 1, 2}));
+TEST(Cluster, TakesEveryLineAndTheFarthestPoints) {
+  std::vector<golden::FloorPoint> points;
+  for (int line = 0; line < kMaxLines; ++line)
+    points.push_back(point(line, -128, line % 2 ? -128 : 127.99, line));
+  EXPECT_THAT(clustered(points, 1), ElementsAre(Report{0, kMaxLines - 2, 0}, Report{1, kMaxLines - 1, 1}));
 }
 
 TEST(Cluster, ForgetsTheFrameBefore) {

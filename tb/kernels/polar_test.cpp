@@ -5,6 +5,7 @@
 
 #include <random>
 
+#include "golden/displacement.h"
 #include "golden/polar.h"
 #include "host/line_table.h"
 
@@ -24,26 +25,33 @@ struct Histogram {
   std::vector<golden::Contact> contacts;
 };
 
+Motion packed(uchar motion) {
+  return motion == golden::rests   ? RESTS
+         : motion == golden::stirs ? STIRS
+         : motion == golden::moves ? MOVES
+                                   : UNKNOWN;
+}
+
 /// One frame through the kernel. Checks that the inputs are consumed and that both outputs end where they
 /// must.
-Histogram run(const golden::Masks& masks, const cv::Mat& moving, const std::vector<LineSetup>& table,
+Histogram run(const golden::Masks& masks, const cv::Mat& motion, const std::vector<LineSetup>& table,
               const RuleParameters& rule) {
   hls::stream<Mask> mask("mask");
-  hls::stream<ap_uint<1>> moves("moves");
+  hls::stream<Motion> motions("motions");
   hls::stream<Contact> contacts("contacts");
   hls::stream<LineCount> counts("counts");
   for (int v = 0; v < masks.high.rows; ++v) {
     for (int u = 0; u < masks.high.cols; ++u) {
       mask.write(2 * (masks.high.at<uchar>(v, u) != 0) + (masks.low.at<uchar>(v, u) != 0));
-      moves.write(moving.at<uchar>(v, u) != 0);
+      motions.write(packed(motion.at<uchar>(v, u)));
     }
   }
   std::vector<LineSetup> lines = table;
   lines.resize(kMaxLines);
-  polar<kMaxWidth, kMaxHeight, kMaxLines>(mask, moves, contacts, counts, masks.high.cols, masks.high.rows,
+  polar<kMaxWidth, kMaxHeight, kMaxLines>(mask, motions, contacts, counts, masks.high.cols, masks.high.rows,
                                           table.size(), rule, lines.data());
   EXPECT_TRUE(mask.empty());
-  EXPECT_TRUE(moves.empty());
+  EXPECT_TRUE(motions.empty());
 
   Histogram histogram;
   for (Contact c = contacts.read(); !c.end; c = contacts.read()) {
@@ -62,9 +70,9 @@ Histogram run(const golden::Masks& masks, const cv::Mat& moving, const std::vect
   return histogram;
 }
 
-/// Nothing moves.
+/// Without known motion.
 Histogram run(const golden::Masks& masks, const std::vector<LineSetup>& table, const RuleParameters& rule) {
-  return run(masks, cv::Mat::zeros(masks.high.size(), CV_8UC1), table, rule);
+  return run(masks, cv::Mat(masks.high.size(), CV_8UC1, cv::Scalar(golden::unknown_motion)), table, rule);
 }
 
 RuleParameters packed(const golden::RuleParameters& rule) {
@@ -85,10 +93,10 @@ std::vector<golden::Line> golden_lines(const std::vector<BeamLine>& lines) {
 }
 
 /// Returns how many contacts there were to compare.
-std::size_t expect_golden(const golden::Masks& masks, const cv::Mat& moves,
+std::size_t expect_golden(const golden::Masks& masks, const cv::Mat& motion,
                           const std::vector<BeamLine>& lines, const golden::RuleParameters& rule) {
-  const Histogram ours = run(masks, moves, line_table(lines, masks.high.size()), packed(rule));
-  const golden::PolarHistogram expected = golden::polar(masks, moves, golden_lines(lines), rule);
+  const Histogram ours = run(masks, motion, line_table(lines, masks.high.size()), packed(rule));
+  const golden::PolarHistogram expected = golden::polar(masks, motion, golden_lines(lines), rule);
   EXPECT_EQ(ours.counts, expected.counts);
   EXPECT_EQ(ours.contacts.size(), expected.contacts.size());
   for (std::size_t i = 0; i < std::min(ours.contacts.size(), expected.contacts.size()); ++i) {
@@ -140,15 +148,21 @@ TEST(Polar, PaperRuleRefusesAWideningShape) {
   EXPECT_THAT(run(masks, line_table({kVertical}, kImage), packed(kPaper)).contacts, IsEmpty());
 }
 
-TEST(Polar, RefusesARunWhoseLastRowsMove) {
-  const golden::Masks masks = triangle(kImage, 40, 45, 24);
+TEST(Polar, AsksForAStandingBodyOnAStillFoot) {
+  const golden::Masks masks = triangle(kImage, 40, 45, 24);  // Rows 22 to 45.
   const std::vector<LineSetup> lines = line_table({kVertical}, kImage);
-  cv::Mat moves = cv::Mat::zeros(kImage, CV_8UC1);
-  moves.col(40).rowRange(0, 42) = 255;  // Rows 42 to 45 are still.
-  EXPECT_EQ(run(masks, moves, lines, packed(kRun)).contacts.size(), 1u);
-  moves.at<uchar>(44, 40) = 255;
-  EXPECT_THAT(run(masks, moves, lines, packed(kRun)).contacts, IsEmpty());
-  EXPECT_EQ(run(masks, moves, lines, packed(kPaper)).contacts.size(), 1u) << "the paper does not ask";
+  const auto contacts = [&](int last_moving, int last_stirring, const golden::RuleParameters& rule) {
+    cv::Mat motion(kImage, CV_8UC1, cv::Scalar(golden::rests));
+    motion.rowRange(0, last_stirring + 1) = golden::stirs;
+    motion.rowRange(0, last_moving + 1) = golden::moves;
+    return run(masks, motion, lines, packed(rule)).contacts.size();
+  };
+  EXPECT_EQ(contacts(38, 44, kRun), 1u);
+  EXPECT_EQ(contacts(39, 44, kRun), 0u) << "six rows have not moved";
+  EXPECT_EQ(contacts(38, 45, kRun), 0u) << "the last row stirs";
+  EXPECT_EQ(contacts(-1, 28, kRun), 1u);
+  EXPECT_EQ(contacts(-1, 27, kRun), 0u) << "six rows stir";
+  EXPECT_EQ(contacts(45, 45, kPaper), 1u) << "the paper does not ask";
 }
 
 TEST(Polar, TakesTheFirstRowOfARunThatLeadsAwayFromTheNadir) {
@@ -235,6 +249,19 @@ golden::Masks random_masks(cv::Size size, std::mt19937& random) {
   return masks;
 }
 
+/// Motion of anything, in rows that mostly rest below and move above some row.
+cv::Mat random_motion(cv::Size size, std::mt19937& random) {
+  const uchar levels[] = {golden::rests, golden::unknown_motion, golden::stirs, golden::moves};
+  std::uniform_int_distribution<int> row(0, size.height), any(0, 15);
+  cv::Mat motion(size, CV_8UC1, cv::Scalar(golden::rests));
+  motion.rowRange(0, row(random)) = golden::moves;
+  for (uchar& level : cv::Mat_<uchar>(motion)) {
+    const int choice = any(random);
+    if (choice < 4) level = levels[choice];
+  }
+  return motion;
+}
+
 std::vector<BeamLine> random_lines(cv::Size size, std::mt19937& random) {
   std::uniform_int_distribution<int> column(-30, size.width + 30), row(0, size.height + 10), coin(0, 1);
   std::uniform_int_distribution<int> count(1, std::min(kMaxLines, size.width - 16));
@@ -262,7 +289,7 @@ TEST(Polar, EqualsGoldenOnRandomMasksLinesAndRules) {
     rule.horizon_row = horizon(random);
     rule.height_ratio = ratio(random) / 256.0;
     SCOPED_TRACE(testing::Message() << "round " << round << ", size " << size);
-    contacts[round % 2] += expect_golden(random_masks(size, random), random_masks(size, random).low / 2,
+    contacts[round % 2] += expect_golden(random_masks(size, random), random_motion(size, random),
                                          random_lines(size, random), rule);
   }
   EXPECT_GT(contacts[0], 100u) << "too few by the paper's rule";

@@ -196,15 +196,16 @@ TEST_P(Handwritten, polar_gives_the_bits_of_the_kernel) {
     std::vector<unsigned> in = random_elements(width * height, 9, frame);
     for (unsigned& value : in) value = value < 3 ? 0 : value < 5 ? 1 : 3;
 
-    const std::vector<unsigned> moving = random_elements(width * height, 5, frame + 100);
+    std::vector<unsigned> motion = random_elements(width * height, 16, frame + 100);
+    for (unsigned& value : motion) value = value < 3 ? value + 1 : value % 2 ? RESTS : UNKNOWN;
 
     hls::stream<Mask> mask("mask");
-    hls::stream<ap_uint<1>> moves("moves");
+    hls::stream<Motion> motions("motions");
     hls::stream<Contact> contacts("contacts");
     hls::stream<LineCount> counts("counts");
     for (unsigned value : in) mask.write(value);
-    for (unsigned value : moving) moves.write(value == 0);
-    polar<640, 480, kMaxLines>(mask, moves, contacts, counts, width, height, line_count, rule, lines);
+    for (unsigned value : motion) motions.write(value);
+    polar<640, 480, kMaxLines>(mask, motions, contacts, counts, width, height, line_count, rule, lines);
     std::vector<uint64_t> expected_contacts, expected_counts;
     while (!contacts.empty()) expected_contacts.push_back(pack(contacts.read()));
     while (!counts.empty()) expected_counts.push_back(pack(counts.read()));
@@ -223,8 +224,8 @@ TEST_P(Handwritten, polar_gives_the_bits_of_the_kernel) {
     for (bool done = false; !done && cycles < 100000; ++cycles) {
       model.mask_empty_n = taken < in.size() && !stalls(random);
       model.mask_dout = model.mask_empty_n ? in[taken] : 0;
-      model.moves_empty_n = taken < in.size() && !stalls(random);
-      model.moves_dout = model.moves_empty_n ? moving[taken] == 0 : 0;
+      model.motions_empty_n = taken < in.size() && !stalls(random);
+      model.motions_dout = model.motions_empty_n ? motion[taken] : 0;
       model.contacts_full_n = !stalls(random);
       model.counts_full_n = !stalls(random);
       model.clk = 0;
