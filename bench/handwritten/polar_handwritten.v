@@ -22,9 +22,9 @@ module polar_handwritten #(
     input  wire [1:0]            mask_dout,
     input  wire                  mask_empty_n,
     output wire                  mask_read,
-    input  wire                  moves_dout,
-    input  wire                  moves_empty_n,
-    output wire                  moves_read,
+    input  wire [1:0]            motions_dout,  // 0 rests, 1 stirs, 2 unknown, 3 moves
+    input  wire                  motions_empty_n,
+    output wire                  motions_read,
     output wire [46:0]           contacts_din,
     input  wire                  contacts_full_n,
     output wire                  contacts_write,
@@ -118,13 +118,13 @@ module polar_handwritten #(
     reg  [5:0]  column_is1_reg, column_is2_reg;  // column 0 to 5
     reg         step1_reg, step2_reg;
     reg  [13:0] taps_reg;                        // seven masks, newest low
-    reg  [3:0]  moves_taps_reg;                  // as far as the centre
+    reg  [7:0]  motion_taps_reg;                 // as far as the centre
     reg  [11:0] high_before_reg;
     reg  [ADDRESS_WIDTH-1:0] column1_reg, column2_reg, column3_reg, column4_reg, centre_reg;
     reg  [5:1]  half_reg;
 
-    assign mask_read  = step && takes1_reg;
-    assign moves_read = mask_read;
+    assign mask_read    = step && takes1_reg;
+    assign motions_read = mask_read;
 
     wire [1:0]  right3 = (column_is2_reg[2:0] != 3'd0) ? 2'd0 : taps_reg[1:0];
     wire [1:0]  right2 = (column_is2_reg[2:1] != 2'd0) ? 2'd0 : taps_reg[3:2];
@@ -135,7 +135,7 @@ module polar_handwritten #(
     wire [1:0]  left3  = (column_is2_reg[5:3] != 3'd0) ? 2'd0 : taps_reg[13:12];
     wire [1:0]  any    = right3 | right2 | right1 | centre | left1 | left2 | left3;
     wire [1:0]  sum    = {1'b0, right1[1]} + {1'b0, centre[1]} + {1'b0, left1[1]};
-    wire [15:0] summary = {moves_taps_reg[3], rule_run_rule ? any : sum, centre[1], high_before_reg};
+    wire [16:0] summary = {motion_taps_reg[7:6], rule_run_rule ? any : sum, centre[1], high_before_reg};
 
     always @(posedge clk) begin
         if (step) begin
@@ -152,15 +152,15 @@ module polar_handwritten #(
             centre_reg     <= column4_reg;
             half_reg       <= {half_reg[4:1], !half};
             if (step1_reg) begin
-                taps_reg       <= {taps_reg[11:0], takes1_reg ? mask_dout : 2'd0};
-                moves_taps_reg <= {moves_taps_reg[2:0], takes1_reg && moves_dout};
+                taps_reg        <= {taps_reg[11:0], takes1_reg ? mask_dout : 2'd0};
+                motion_taps_reg <= {motion_taps_reg[5:0], takes1_reg ? motions_dout : 2'd0};
             end
             if (step2_reg)
                 high_before_reg <= column_is2_reg[2] ? 12'd0 : high_before_reg + {11'd0, centre[1]};
         end
         if (state_reg == START) begin
             taps_reg        <= 14'd0;
-            moves_taps_reg  <= 4'd0;
+            motion_taps_reg <= 8'd0;
             high_before_reg <= 12'd0;
         end
         if (rst) begin
@@ -171,14 +171,14 @@ module polar_handwritten #(
     end
 
     wire [ADDRESS_WIDTH-1:0] left_address, right_address;
-    wire [15:0]              left_summary, right_summary;
+    wire [16:0]              left_summary, right_summary;
 
-    ram_1r1w #(.WIDTH(16), .DEPTH(2 * MAX_WIDTH), .ADDRESS_WIDTH(ADDRESS_WIDTH + 1)) left_columns (
+    ram_1r1w #(.WIDTH(17), .DEPTH(2 * MAX_WIDTH), .ADDRESS_WIDTH(ADDRESS_WIDTH + 1)) left_columns (
         .clk(clk), .write_enable(step && step2_reg), .write_address({centre_reg, half_reg[5]}), .write_data(summary),
         .read_enable(step), .read_address({left_address, half}), .read_data(left_summary)
     );
 
-    ram_1r1w #(.WIDTH(16), .DEPTH(2 * MAX_WIDTH), .ADDRESS_WIDTH(ADDRESS_WIDTH + 1)) right_columns (
+    ram_1r1w #(.WIDTH(17), .DEPTH(2 * MAX_WIDTH), .ADDRESS_WIDTH(ADDRESS_WIDTH + 1)) right_columns (
         .clk(clk), .write_enable(step && step2_reg), .write_address({centre_reg, half_reg[5]}), .write_data(summary),
         .read_enable(step), .read_address({right_address, half}), .read_data(right_summary)
     );
@@ -197,15 +197,15 @@ module polar_handwritten #(
     wire        line_leftward      = lines_q0[109];
     wire        line_contact_first = lines_q0[110];
 
-    wire [91:0] state_now;
-    wire [91:0] state_next;
+    wire [95:0] state_now;
+    wire [95:0] state_next;
     wire [12:0] state_column;
     wire [11:0] state_error, state_count, state_first_row, state_last_row, state_score;
     wire        state_carry;
     wire [1:0]  state_present;
     wire [12:0] state_contact_column;
-    wire [2:0]  state_still_rows;
-    assign {state_still_rows, state_contact_column, state_score, state_last_row, state_first_row, state_present, state_count, state_carry,
+    wire [6:0]  state_motion;
+    assign {state_motion, state_contact_column, state_score, state_last_row, state_first_row, state_present, state_count, state_carry,
             state_error, state_column} = state_now;
 
     reg [11*LOG2_LINES-1:0] index_reg;  // stages 1 to 11
@@ -215,7 +215,7 @@ module polar_handwritten #(
     assign lines_address0 = index;
     assign lines_ce0      = step;
 
-    ram_1r1w #(.WIDTH(92), .DEPTH(1 << LOG2_LINES), .ADDRESS_WIDTH(LOG2_LINES)) states (
+    ram_1r1w #(.WIDTH(96), .DEPTH(1 << LOG2_LINES), .ADDRESS_WIDTH(LOG2_LINES)) states (
         .clk(clk), .write_enable(step && state_write_reg), .write_address(index8), .write_data(state_next),
         .read_enable(step), .read_address(index), .read_data(state_now)
     );
@@ -240,7 +240,7 @@ module polar_handwritten #(
     reg [1:0]  present2, present3, present4, present5, present6, present7, present8;
     reg [11:0] first_row2, first_row3, first_row4, first_row5, first_row6, first_row7, first_row8;
     reg [11:0] last_row2, last_row3, last_row4, last_row5, last_row6, last_row7, last_row8;
-    reg [2:0]  still2, still3, still4, still5, still6, still7, still8;  // rows
+    reg [6:0]  motion2, motion3, motion4, motion5, motion6, motion7, motion8;  // last row rests; stirring rows; still rows
     reg [11:0] score2, score3, score4, score5, score6, score7, score8;
     reg [12:0] contact_column2, contact_column3, contact_column4, contact_column5, contact_column6, contact_column7, contact_column8;
 
@@ -268,18 +268,20 @@ module polar_handwritten #(
     // Stage 6: the summaries of both ends.
     wire [11:0] high_between = right_summary[11:0] + {11'd0, right_summary[12]} - left_summary[11:0];
     wire [1:0]  end_window   = leftward6 ? right_summary[14:13] : left_summary[14:13];
-    wire        end_moves    = leftward6 ? right_summary[15] : left_summary[15];
+    wire [1:0]  end_motion   = leftward6 ? right_summary[16:15] : left_summary[16:15];
 
     // Stage 7: the rule.
     reg [11:0] count7, count8;
     reg [1:0]  window7;
-    reg        moves7;
+    reg [1:0]  end_motion7;
     wire       in_run7    = (present7 != 2'd0);
     wire [1:0] present_now7 = rule_run_rule ? {1'b0, window7[0]} : window7;
     wire       set7       = (present_now7 != 2'd0);
     wire [11:0] high_rows7 = (in_run7 ? score7 : 12'd0) + {11'd0, window7[1]};
-    wire [2:0]  still_before7 = in_run7 ? still7 : 3'd0;
-    wire [2:0]  still_rows7   = moves7 ? 3'd0 : still_before7[2] ? still_before7 : still_before7 + 1'b1;
+    wire [2:0]  still_before7    = in_run7 ? motion7[2:0] : 3'd0;
+    wire [2:0]  stirring_before7 = in_run7 ? motion7[5:3] : 3'd0;
+    wire [2:0]  still_rows7      = (end_motion7 == 2'd3) ? 3'd0 : (still_before7 == 3'd7) ? 3'd7 : still_before7 + 1'b1;
+    wire [2:0]  stirring_rows7   = (end_motion7 == 2'd0) ? stirring_before7 : (stirring_before7 == 3'd7) ? 3'd7 : stirring_before7 + 1'b1;
     wire [11:0] triangle7  = (window7 <= present7) ? score7 + 1'b1 : 12'd0;
 
     // Stage 8: does the run end?
@@ -289,10 +291,10 @@ module polar_handwritten #(
     wire       gap_ends8 = (gap8 > (rule_run_rule ? rule_max_gap : 12'd0));
     wire       ended8    = (in_run8 || set8) && (gap_ends8 || line_ends8);
     wire [1:0] present_next = ended8 ? 2'd0 : set8 ? present_now8 : present8;
-    assign state_next = {still8, contact_column8, score8, last_row8, first_row8, present_next, count8, carry8, error8, next_column8};
+    assign state_next = {motion8, contact_column8, score8, last_row8, first_row8, present_next, count8, carry8, error8, next_column8};
 
     // Stages 9 to 12: is it a contact?
-    reg        ended9, ended10, ended11, clipped9, clipped10, clipped11, still9, still10, still11;
+    reg        ended9, ended10, ended11, clipped9, clipped10, clipped11, stands9, stands10, stands11;
     reg [12:0] contact_column9, contact_column10, contact_column11;
     reg [11:0] contact_row9, contact_row10, contact_row11;
     reg [11:0] rows9, rows10, rows11, score9, score10, score11;
@@ -304,9 +306,9 @@ module polar_handwritten #(
     wire signed [17:0] rows_signed = {6'd0, rows11};
     wire       tall11 = rows11 >= rule_min_rows && rows_signed >= $signed({least11[24], least11[24:8]}) && triple11 >= {2'd0, rows11};
     wire       unused_bits = &{1'b0, left_summary[12], least11[7:0]};
-    wire       contact11 = ended11 && (rule_run_rule ? tall11 && still11 : score11 > 12'd4);
+    wire       contact11 = ended11 && (rule_run_rule ? tall11 && stands11 : score11 > 12'd4);
 
-    assign step = (!takes1_reg || (mask_empty_n && moves_empty_n)) && (!contact_valid_reg || contacts_full_n) && (!count_valid_reg || counts_full_n);
+    assign step = (!takes1_reg || (mask_empty_n && motions_empty_n)) && (!contact_valid_reg || contacts_full_n) && (!count_valid_reg || counts_full_n);
 
     assign contacts_write = (contact_valid_reg && step) || end_written;
     assign contacts_din   = contact_valid_reg ? contact_reg : {1'b1, 46'd0};
@@ -334,20 +336,20 @@ module polar_handwritten #(
             first_row2    <= state_first_row;
             last_row2     <= state_last_row;
             score2        <= state_score;
-            still2        <= state_still_rows;
+            motion2       <= state_motion;
             contact_column2 <= state_contact_column;
 
             {active3, ends3, early3, steep3, leftward3, first_counts3} <= {active2, ends2, early2, steep2, leftward2, first_counts2};
             {column3, count3, present3, first_row3} <= {column2, count2, present2, first_row2};
             {last_row3, score3, contact_column3, divisor3} <= {last_row2, score2, contact_column2, divisor2};
-            still3     <= still2;
+            motion3    <= motion2;
             further3   <= leftward2 ? column2 - {1'b0, run2} : column2 + {1'b0, run2};
             error_sum3 <= {1'b0, error2} + {1'b0, remainder2};
 
             {active4, ends4, early4, steep4, leftward4, first_counts4} <= {active3, ends3, early3, steep3, leftward3, first_counts3};
             {column4, count4, present4, first_row4} <= {column3, count3, present3, first_row3};
             {last_row4, score4, contact_column4, further4} <= {last_row3, score3, contact_column3, further3};
-            still4     <= still3;
+            motion4    <= motion3;
             other_end4 <= leftward3 ? further3 + 13'sd1 : further3 - 13'sd1;
             carry4     <= reaches;
             error4     <= reaches ? error_sum3[11:0] - divisor3 : error_sum3[11:0];
@@ -355,7 +357,7 @@ module polar_handwritten #(
             {active5, ends5, early5, leftward5, first_counts5} <= {active4, ends4, early4, leftward4, first_counts4};
             {column5, count5, present5, first_row5} <= {column4, count4, present4, first_row4};
             {last_row5, score5, contact_column5, carry5, error5} <= {last_row4, score4, contact_column4, carry4, error4};
-            still5         <= still4;
+            motion5        <= motion4;
             left_address5  <= left_end[12] ? {ADDRESS_WIDTH{1'b0}} : (left_end < end_bound) ? left_end[ADDRESS_WIDTH-1:0] : last_address;
             right_address5 <= right_end[12] ? {ADDRESS_WIDTH{1'b0}} : (right_end < end_bound) ? right_end[ADDRESS_WIDTH-1:0] : last_address;
             in_image5      <= (left_end < end_bound) && !right_end[12];
@@ -365,15 +367,15 @@ module polar_handwritten #(
             {active6, ends6, early6, leftward6, first_counts6} <= {active5, ends5, early5, leftward5, first_counts5};
             {column6, count6, present6, first_row6} <= {column5, count5, present5, first_row5};
             {last_row6, score6, contact_column6, carry6, error6} <= {last_row5, score5, contact_column5, carry5, error5};
-            {still6, in_image6, first_inside6, next_column6} <= {still5, in_image5, first_inside5, next_column5};
+            {motion6, in_image6, first_inside6, next_column6} <= {motion5, in_image5, first_inside5, next_column5};
 
             {active7, ends7, first_counts7} <= {active6, ends6, first_counts6};
             {column7, present7, first_row7} <= {column6, present6, first_row6};
             {last_row7, score7, contact_column7, carry7, error7, next_column7} <= {last_row6, score6, contact_column6, carry6, error6, next_column6};
             count7  <= count6 + ((active6 && in_image6) ? high_between : 12'd0);
             window7 <= first_inside6 ? end_window : 2'd0;
-            moves7  <= end_moves;
-            still7  <= still6;
+            motion7 <= motion6;
+            end_motion7 <= end_motion;
 
             {carry8, error8, next_column8, count8, present8, first_counts8} <= {carry7, error7, next_column7, count7, present7, first_counts7};
             state_write_reg <= active7;
@@ -382,7 +384,7 @@ module polar_handwritten #(
             line_ends8      <= ends7 || !streaming_reg;
             present_now8    <= present_now7;
             score8          <= !set7 ? score7 : rule_run_rule ? high_rows7 : triangle7;
-            still8          <= set7 ? still_rows7 : still7;
+            motion8         <= set7 ? {!end_motion7[0], stirring_rows7, still_rows7} : motion7;
             first_row8      <= (set7 && !in_run7) ? row_reg : first_row7;
             contact_column8 <= (set7 && (!in_run7 || !first_counts7)) ? column7 : contact_column7;
             last_row8       <= set7 ? row_reg : last_row7;
@@ -390,19 +392,19 @@ module polar_handwritten #(
 
             ended9          <= ended8;
             clipped9        <= !gap_ends8;
-            still9          <= still8[2] || first_counts8 || !gap_ends8;
+            stands9         <= (motion8[5:3] == 3'd7) && ((motion8[6] && motion8[2:0] == 3'd7) || first_counts8 || !gap_ends8);
             contact_column9 <= contact_column8;
             contact_row9    <= first_counts8 ? first_row8 : last_row8;
             rows9           <= last_row8 - first_row8 + 1'b1;
             score9          <= score8;
 
-            {ended10, clipped10, still10, contact_column10, contact_row10, rows10, score10} <=
-                {ended9, clipped9, still9, contact_column9, contact_row9, rows9, score9};
+            {ended10, clipped10, stands10, contact_column10, contact_row10, rows10, score10} <=
+                {ended9, clipped9, stands9, contact_column9, contact_row9, rows9, score9};
             above_horizon10 <= {2'b00, contact_row9} - {rule_horizon_row[12], rule_horizon_row};
             triple10        <= {1'b0, score9, 1'b0} + {2'b00, score9};
 
-            {ended11, clipped11, still11, contact_column11, contact_row11, rows11, score11, triple11} <=
-                {ended10, clipped10, still10, contact_column10, contact_row10, rows10, score10, triple10};
+            {ended11, clipped11, stands11, contact_column11, contact_row11, rows11, score11, triple11} <=
+                {ended10, clipped10, stands10, contact_column10, contact_row10, rows10, score10, triple10};
             least11 <= {{11{above_horizon10[13]}}, above_horizon10} * {15'd0, rule_height_ratio};
 
             contact_valid_reg <= contact11;
