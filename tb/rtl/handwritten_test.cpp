@@ -247,7 +247,7 @@ TEST_P(Handwritten, polar_gives_the_bits_of_the_kernel) {
     EXPECT_EQ(seen_counts, expected_counts) << "frame " << frame;
     if (frame < 2) EXPECT_LE(cycles, width * height + line_count + 24);
   }
-  EXPECT_GT(contacts_found, 0u) << "the random lines and masks give no contact";
+  if (height >= 8) EXPECT_GT(contacts_found, 0u) << "lower frames have no room for seven rows that stir";
 }
 
 INSTANTIATE_TEST_SUITE_P(sizes, Handwritten,
