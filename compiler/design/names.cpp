@@ -1,6 +1,7 @@
 #include "design/names.h"
 
 #include <cctype>
+#include <set>
 
 namespace hlsc {
 
@@ -16,31 +17,38 @@ bool has_generated_suffix(const std::string& name) {
          suffix.find_first_not_of("0123456789", 1) == std::string::npos;
 }
 
+const std::set<std::string>& keywords() {
+  static const std::set<std::string> words = {
+      "always",   "and",        "assign",   "automatic", "begin",     "buf",       "case",        "cell",
+      "config",   "default",    "design",   "edge",      "else",      "end",       "event",       "for",
+      "force",    "function",   "generate", "if",        "initial",   "inout",     "input",       "integer",
+      "join",     "large",      "library",  "medium",    "module",    "nand",      "negedge",     "nor",
+      "not",      "or",         "output",   "parameter", "posedge",   "pulldown",  "pullup",      "real",
+      "reg",      "release",    "repeat",   "rnmos",     "scalared",  "signed",    "small",       "specify",
+      "strong0",  "strong1",    "supply0",  "supply1",   "table",     "task",      "time",        "tran",
+      "tri",      "unsigned",   "use",      "vectored",  "wait",      "wand",      "weak0",       "weak1",
+      "while",    "wire",       "wor",      "xnor",      "xor",       "instance",  "fork",        "deassign",
+      "disable",  "bit",        "byte",     "char",      "int",       "logic",     "string",      "do",
+      "break",    "continue",   "return",   "class",     "new",       "this",      "priority",    "unique",
+      "final",    "var",        "type",     "expect",    "property",  "sequence",  "cover",       "assert",
+      "assume",   "before",     "bind",     "bins",      "clocking",  "const",     "constraint",  "context",
+      "cross",    "dist",       "enum",     "export",    "extends",   "extern",    "first_match", "foreach",
+      "global",   "iff",        "import",   "inside",    "interface", "intersect", "local",       "longint",
+      "matches",  "modport",    "null",     "package",   "packed",    "program",   "protected",   "pure",
+      "rand",     "randc",      "ref",      "shortint",  "solve",     "static",    "struct",      "super",
+      "tagged",   "throughout", "timeunit", "typedef",   "union",     "virtual",   "void",        "with",
+      "within",   "checker",    "let",      "restrict",  "strong",    "weak",      "until",       "implies",
+      "accept_on"};
+  return words;
+}
+
 }  // namespace
 
+bool is_keyword(const std::string& word) { return keywords().count(word) > 0; }
+
 NameTable::NameTable() {
-  for (const char* word :
-       {"always",  "and",        "assign",   "automatic", "begin",     "buf",       "case",        "cell",
-        "config",  "default",    "design",   "edge",      "else",      "end",       "event",       "for",
-        "force",   "function",   "generate", "if",        "initial",   "inout",     "input",       "integer",
-        "join",    "large",      "library",  "medium",    "module",    "nand",      "negedge",     "nor",
-        "not",     "or",         "output",   "parameter", "posedge",   "pulldown",  "pullup",      "real",
-        "reg",     "release",    "repeat",   "rnmos",     "scalared",  "signed",    "small",       "specify",
-        "strong0", "strong1",    "supply0",  "supply1",   "table",     "task",      "time",        "tran",
-        "tri",     "unsigned",   "use",      "vectored",  "wait",      "wand",      "weak0",       "weak1",
-        "while",   "wire",       "wor",      "xnor",      "xor",       "instance",  "fork",        "deassign",
-        "disable", "bit",        "byte",     "char",      "int",       "logic",     "string",      "do",
-        "break",   "continue",   "return",   "class",     "new",       "this",      "priority",    "unique",
-        "final",   "var",        "type",     "expect",    "property",  "sequence",  "cover",       "assert",
-        "assume",  "before",     "bind",     "bins",      "clocking",  "const",     "constraint",  "context",
-        "cross",   "dist",       "enum",     "export",    "extends",   "extern",    "first_match", "foreach",
-        "global",  "iff",        "import",   "inside",    "interface", "intersect", "local",       "longint",
-        "matches", "modport",    "null",     "package",   "packed",    "program",   "protected",   "pure",
-        "rand",    "randc",      "ref",      "shortint",  "solve",     "static",    "struct",      "super",
-        "tagged",  "throughout", "timeunit", "typedef",   "union",     "virtual",   "void",        "with",
-        "within",  "checker",    "let",      "restrict",  "strong",    "weak",      "until",       "implies",
-        "global",  "accept_on",  "clk",      "rst",       "state"})
-    used_[word] = 1;
+  for (const std::string& word : keywords()) used_[word] = 1;
+  for (const char* signal : {"clk", "rst", "state"}) used_[signal] = 1;
 }
 
 std::string NameTable::unique(const std::string& wanted, const std::string& otherwise) {

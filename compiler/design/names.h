@@ -18,6 +18,9 @@ class NameTable {
   std::map<std::string, int> used_;
 };
 
+/// Whether Verilog or SystemVerilog keeps the word for itself.
+bool is_keyword(const std::string& word);
+
 /// The variable part of an LLVM value name: `at.i.sroa.0.1` -> `at`.
 std::string variable_part(const std::string& llvm_name);
 

@@ -14,18 +14,17 @@ using namespace llvm;
 constexpr const char* kLoopTag = "hls.directive";
 
 /// Directives on a loop or a function; the others need a variable or a port.
-const std::set<std::string> kRegionKinds = {"PIPELINE",       "UNROLL",     "DATAFLOW",
-                                            "LOOP_TRIPCOUNT", "DEPENDENCE", "INLINE",
-                                            "LOOP_FLATTEN"};
-const std::set<std::string> kObjectKinds = {"ARRAY_PARTITION", "BIND_STORAGE", "RESOURCE",
-                                            "STREAM",          "DEPENDENCE",   "AGGREGATE",
-                                            "DISAGGREGATE",    "DATA_PACK",    "STABLE"};
+const std::set<std::string> kRegionKinds = {"PIPELINE",   "UNROLL", "DATAFLOW",     "LOOP_TRIPCOUNT",
+                                            "DEPENDENCE", "INLINE", "LOOP_FLATTEN", "LATENCY"};
+const std::set<std::string> kObjectKinds = {
+    "ARRAY_PARTITION", "BIND_STORAGE", "RESOURCE",  "STREAM", "DEPENDENCE",
+    "AGGREGATE",       "DISAGGREGATE", "DATA_PACK", "STABLE", "FUNCTION_INSTANTIATE"};
 
 /// Accepted, because they change neither results nor handshakes, but without effect.
 const std::set<std::string> kIgnoredKinds = {
-    "ALLOCATION",           "ARRAY_MAP", "ARRAY_RESHAPE", "BIND_OP",    "EXPRESSION_BALANCE",
-    "FUNCTION_INSTANTIATE", "LATENCY",   "LOOP_MERGE",    "OCCURRENCE", "PERFORMANCE",
-    "PROTOCOL",             "RESET",     "SHARED",        "TOP"};
+    "ALLOCATION",         "ARRAY_MAP",  "ARRAY_RESHAPE", "BIND_OP",
+    "EXPRESSION_BALANCE", "LOOP_MERGE", "OCCURRENCE",    "PERFORMANCE",
+    "PROTOCOL",           "RESET",      "SHARED",        "TOP"};
 
 struct Marker {
   CallInst* call;
@@ -231,8 +230,13 @@ void resolve_loop_directives(Module& module, DirectiveTable& table, Diagnostics&
         marker.call->eraseFromParent();
         continue;
       }
-      if (kIgnoredKinds.count(kind)) {
-        diagnostics.warn(where, "pragma '" + kind + "' has no effect here; results are the same without it");
+      bool is_ignored =
+          kIgnoredKinds.count(kind) || (kind == "LATENCY" && loops.getLoopFor(marker.call->getParent()));
+      if (is_ignored) {
+        bool asks_nothing = kind == "EXPRESSION_BALANCE" && marker.directive.has("off");
+        if (!asks_nothing)
+          diagnostics.warn(where,
+                           "pragma '" + kind + "' has no effect here; results are the same without it");
         marker.call->eraseFromParent();
         continue;
       }

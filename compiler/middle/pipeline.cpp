@@ -381,6 +381,19 @@ void check_unrolled(Function& function, Diagnostics& diagnostics) {
   }
 }
 
+/// LATENCY is checked where the schedule is: of processes.
+void warn_of_inlined_latency(const Module& module, const std::vector<std::string>& processes,
+                             Diagnostics& diagnostics) {
+  for (const Function& function : module) {
+    const DISubprogram* place = function.getSubprogram();
+    if (!place || !function_directive(function, "LATENCY") ||
+        is_contained(processes, function.getName().str()))
+      continue;
+    diagnostics.warn({place->getFilename().str(), place->getLine(), 0},
+                     "pragma 'LATENCY' has no effect in a function that is inlined");
+  }
+}
+
 void convert_loops(Function& function, Optimizer& optimizer) {
   std::set<BasicBlock*> done;
   while (true) {
@@ -409,6 +422,7 @@ MiddleResult run_middle(Program& program, const LoopChoice& keeps_apart, Diagnos
   lower_streams(module, program.stream_types);
   drop_empty_regions(program, diagnostics);
   result.processes = find_processes(program);
+  warn_of_inlined_latency(module, result.processes, diagnostics);
   Optimizer optimizer(module);
   prepare_regions(program, optimizer);
   mark_for_inlining(module, result.processes);

@@ -14,7 +14,9 @@
 #include "design/narrow.h"
 #include "design/share_loads.h"
 #include "design/simplify.h"
+#include "middle/llvm_headers.h"
 #include "middle/pipeline.h"
+#include "report/latency.h"
 #include "verilog/emit_process.h"
 #include "verilog/emit_top.h"
 
@@ -42,13 +44,17 @@ class Compilation {
     auto top = program_.functions.find(program_.top);
     if (top == program_.functions.end()) throw CompileError(program_.top_problem);
     result_.top = top->second;
+    if (is_keyword(result_.top.name))
+      throw CompileError(
+          result_.top.location,
+          "'" + result_.top.name + "' is a word of Verilog and cannot name the top; rename it");
     names_.unique(result_.top.name);
     bool is_region = middle.processes.size() > 1;
     for (const std::string& function : middle.processes) {
       bool is_top = function == program_.top;
       if (is_top && is_region) continue;
       std::string name = names_.unique(program_.functions.at(function).name + (is_top ? "_core" : ""));
-      add_process(build_process(program_, middle, function, name));
+      add_process(build_process(program_, middle, function, name), function);
     }
     PortModes modes = PortModes::from(middle.directives.ports[program_.top]);
     TopModule module = is_region ? region_top(middle, modes)
@@ -109,8 +115,22 @@ class Compilation {
     if (options_.on_stage) options_.on_stage(stage, process, schedule);
   }
 
-  void add_process(Process process) {
+  /// LATENCY of a process is a promise that the schedule keeps or not.
+  void check_latency(const std::string& function, const CompiledProcess& compiled) {
+    std::optional<Directive> wanted = function_directive(*program_.module->getFunction(function), "LATENCY");
+    if (!wanted) return;
+    Latency latency = LatencyModel(compiled.process, compiled.schedule).process();
+    uint64_t least = wanted->integer("min", 0), most = wanted->integer("max", 0);
+    bool is_known = latency.terms.empty() && !latency.is_endless;
+    if (is_known && latency.cycles >= least && (most == 0 || latency.cycles <= most)) return;
+    result_.diagnostics.warn(compiled.process.location,
+                             "LATENCY of '" + compiled.process.source_name + "' does not hold: it takes " +
+                                 (latency.is_bound ? "up to " : "") + latency.text() + " cycles");
+  }
+
+  void add_process(Process process, const std::string& function) {
     CompiledProcess compiled = scheduled(std::move(process));
+    check_latency(function, compiled);
     result_.files.push_back({compiled.process.name + ".v",
                              emit_process(compiled.process, compiled.schedule, options_.has_probes)});
     result_.processes.push_back(std::move(compiled));

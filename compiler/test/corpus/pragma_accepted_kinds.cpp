@@ -8,6 +8,9 @@ int pragma_accepted_kinds(const Item items[16], const Item packed[16], int n) {
 #pragma HLS DISAGGREGATE variable = items
 #pragma HLS DATA_PACK variable = packed
 #pragma HLS STABLE variable = n
+#pragma HLS FUNCTION_INSTANTIATE variable = n
+#pragma HLS EXPRESSION_BALANCE off
+#pragma HLS LATENCY max = 64
   int kept[64];
 #pragma HLS BIND_STORAGE variable = kept type = ram_1p impl = lutram
   int again[64];

@@ -3,11 +3,11 @@
 static int twice(int x) { return 2 * x; }
 int pragma_ignored_kinds(const int a[16], int b) {
 #pragma HLS TOP name = pragma_ignored_kinds
-#pragma HLS LATENCY min = 1 max = 64
+#pragma HLS ALLOCATION function instances = twice limit = 1
 #pragma HLS LOOP_MERGE
 #pragma HLS PERFORMANCE target_ti = 100
-#pragma HLS EXPRESSION_BALANCE off
-#pragma HLS FUNCTION_INSTANTIATE variable = b
+#pragma HLS EXPRESSION_BALANCE
+#pragma HLS INLINE
   static int state = 0;
 #pragma HLS RESET variable = state
 #pragma HLS SHARED variable = state
@@ -28,11 +28,10 @@ int pragma_ignored_kinds(const int a[16], int b) {
   return state;
 }
 // warning: 5:9: pragma 'TOP' has no effect here; results are the same without it
-// warning: 6:9: pragma 'LATENCY' has no effect here; results are the same without it
+// warning: 6:9: pragma 'ALLOCATION' has no effect here; results are the same without it
 // warning: 7:9: pragma 'LOOP_MERGE' has no effect here; results are the same without it
 // warning: 8:9: pragma 'PERFORMANCE' has no effect here; results are the same without it
 // warning: 9:9: pragma 'EXPRESSION_BALANCE' has no effect here; results are the same without it
-// warning: 10:9: pragma 'FUNCTION_INSTANTIATE' has no effect here; results are the same without it
 // warning: 12:9: pragma 'RESET' has no effect here; results are the same without it
 // warning: 13:9: pragma 'SHARED' has no effect here; results are the same without it
 // warning: 15:9: pragma 'ARRAY_RESHAPE' has no effect here; results are the same without it
