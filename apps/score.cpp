@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "golden/cluster.h"
 #include "host/error.h"
 #include "host/geometry.h"
 #include "host/grid.h"
@@ -97,14 +98,18 @@ class Scorer {
   }
 
   void add(const DriveFrame& frame, const Finding& finding, const Model& model) {
+    // The grid weighs lone lines too: they come again where something stands.
+    const std::vector<golden::Obstacle> clusters =
+        golden::cluster(finding.points, frame.golden.cluster_gap_m, 1);
+    grid_.add(planar(frame.world_from_robot), floor_rays(frame.golden, finding.points), places(clusters),
+              frame.plan.parallax_px);
+    if (!frame.plan.mature) return;
     ++score_.frames;
-    const PlanarPose pose = planar(frame.world_from_robot);
-    grid_.add(pose, floor_rays(frame.golden, finding.points), places(finding.obstacles));
     if (score_.has_contacts) {
       const render::TrueFrame& truth = truth_[frame.index];
       score_.per_frame += render::score_reports(places(finding.obstacles), truth, {});
-      // Before that many frames nothing can be confirmed, however well it is seen.
-      if (score_.frames >= GridSettings().confirm_hits)
+      // At the first one hardly anything can be confirmed yet, however well it is seen.
+      if (score_.frames >= 2)
         score_.confirmed +=
             render::score_reports(confirmed_in_view(grid_, drive_, frame.world_from_robot), truth, {});
     }
@@ -163,7 +168,7 @@ DetectionScore score(Drive& drive, Model& model, const std::string& task) {
   for (int i = 0; i < drive.frame_count(); ++i) {
     const DriveFrame frame = drive.next();
     const Finding finding = model.run(frame);
-    if (frame.plan.mature) scorer.add(frame, finding, model);
+    scorer.add(frame, finding, model);
     progress.advance(i + 1, drive.frame_count());
   }
   return scorer.score();

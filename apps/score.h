@@ -20,11 +20,12 @@ struct MaskScore {
   MaskScore& operator+=(const MaskScore& other);
 };
 
-/// Sums over frames and sequences. Only frames with a mature baseline count.
+/// Sums over frames and sequences. Only frames with a mature baseline count; the grid takes in all.
 struct DetectionScore {
   int frames = 0;
-  render::Score per_frame;    ///< Each frame's obstacles by themselves.
-  render::Score confirmed;    ///< Obstacles that the grid has confirmed and that are in view.
+  render::Score per_frame;  ///< Each frame's obstacles by themselves.
+  render::Score confirmed;  ///< Obstacles that the grid has confirmed and that are in view; from a sequence's
+                            ///< second such frame on.
   render::PixelScore pixels;  ///< High mask in the region of interest.
   MaskScore mask;
   bool has_contacts = false;  ///< Some sequence has contact curves: per_frame and confirmed mean something.

@@ -2,13 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
+#include <set>
 
 #include "host/atomic_file.h"
 #include "host/error.h"
+#include "host/reference_plan.h"
 
 namespace floorline {
 namespace {
@@ -32,6 +34,11 @@ double distance_to_segment(const Eigen::Vector2d& p, const Eigen::Vector2d& a, c
   const double length2 = along.squaredNorm();
   const double t = length2 > 0 ? std::clamp((p - a).dot(along) / length2, 0.0, 1.0) : 0.0;
   return (p - a - t * along).norm();
+}
+
+/// Parallax at a distance from the robot; parallax_px as PlannedFrame has it.
+double parallax_at(double distance_m, double parallax_px) {
+  return parallax_px * ReferenceRule().distance_m / std::max(distance_m, 0.1);
 }
 
 double probability(double log_odds) { return 1 / (1 + std::exp(-log_odds)); }
@@ -67,88 +74,101 @@ GridSettings grid_settings(double camera_height_m) {
   settings.resolution_m *= scale;
   settings.range_m *= scale;
   settings.radius_m *= scale;
+  settings.merge_m *= scale;
   return settings;
 }
 
 Grid::Grid(const GridSettings& settings) : settings_(settings) {}
 
 void Grid::add(const PlanarPose& robot, const std::vector<FloorRay>& rays,
-               const std::vector<Eigen::Vector2d>& obstacles) {
-  add_rays(robot, rays);
-  add_obstacles(robot, rays, obstacles);
+               const std::vector<Eigen::Vector2d>& obstacles, double parallax_px) {
+  const View view = {isometry2(robot), rays, parallax_px};
+  add_rays(view);
+  add_reports(view, obstacles);
 }
 
-void Grid::add_rays(const PlanarPose& robot, const std::vector<FloorRay>& rays) {
-  const Eigen::Isometry2d world_from_robot = isometry2(robot);
+void Grid::add_rays(const View& view) {
   // Each cell is judged once a frame, however many rays cross it; an obstacle outweighs a ray that passes.
-  std::map<Cell, bool> judged;
-  for (const FloorRay& ray : rays) {
+  std::map<Cell, double> judged;
+  for (const FloorRay& ray : view.rays) {
     const Eigen::Vector2d along = ray.free - ray.near;
     const double length = along.norm();
     const double free_length = ray.hit ? length - settings_.resolution_m : length;
     for (double s = 0; s < free_length; s += settings_.resolution_m / 2) {
       const Eigen::Vector2d place = ray.near + along * (s / length);
       if (place.norm() > settings_.range_m) break;
-      judged.try_emplace(cell_at(world_from_robot * place), false);
+      judged.try_emplace(cell_at(view.world_from_robot * place),
+                         settings_.free_log_odds * absence_share(view, place.norm()));
     }
   }
-  for (const FloorRay& ray : rays) {
-    if (ray.hit && ray.free.norm() <= settings_.range_m) judged[cell_at(world_from_robot * ray.free)] = true;
+  for (const FloorRay& ray : view.rays) {
+    const double distance = ray.free.norm();
+    if (ray.hit && distance <= settings_.range_m)
+      judged[cell_at(view.world_from_robot * ray.free)] =
+          settings_.hit_log_odds * report_share(view, distance);
   }
-  for (const auto& [cell, occupied] : judged) {
-    double& value = log_odds_[cell];
-    value += occupied ? settings_.hit_log_odds : settings_.free_log_odds;
-    value = std::clamp(value, -settings_.limit_log_odds, settings_.limit_log_odds);
-  }
+  for (const auto& [cell, evidence] : judged) log_odds_[cell] = limited(log_odds_[cell] + evidence);
 }
 
-void Grid::add_obstacles(const PlanarPose& robot, const std::vector<FloorRay>& rays,
-                         const std::vector<Eigen::Vector2d>& obstacles) {
-  const Eigen::Isometry2d world_from_robot = isometry2(robot);
-  const Eigen::Isometry2d robot_from_world = world_from_robot.inverse();
-  std::vector<bool> reported(candidates_.size(), false);
+void Grid::add_reports(const View& view, const std::vector<Eigen::Vector2d>& obstacles) {
+  std::set<int> reported;
   for (const Eigen::Vector2d& obstacle : obstacles) {
     if (obstacle.norm() > settings_.range_m) continue;
-    const Eigen::Vector2d place = world_from_robot * obstacle;
+    const Eigen::Vector2d place = view.world_from_robot * obstacle;
+    const double evidence = settings_.report_log_odds * report_share(view, obstacle.norm());
     const auto distance = [&](const Candidate& c) { return (c.place - place).norm(); };
     const auto nearest = std::ranges::min_element(candidates_, {}, distance);
-    if (nearest != candidates_.end() && distance(*nearest) <= radius_m(obstacle.norm())) {
-      // A second report of one obstacle in one frame is no second frame.
-      const std::size_t index = nearest - candidates_.begin();
-      if (reported[index]) continue;
-      reported[index] = true;
-      nearest->place += (place - nearest->place) / ++nearest->reports;
-    } else {
-      candidates_.push_back({next_id_++, place, 1, {}, false});
-      reported.push_back(true);
+    if (nearest == candidates_.end() || distance(*nearest) > settings_.radius_m) {
+      candidates_.push_back({next_id_, place, 1, evidence});
+      reported.insert(next_id_++);
+    } else if (reported.insert(nearest->id).second) {  // A second report in one frame is no second frame.
+      ++nearest->reports;
+      nearest->place +=
+          (place - nearest->place) / std::min<double>(nearest->reports, settings_.settling_reports);
+      nearest->log_odds = limited(nearest->log_odds + evidence);
     }
   }
-
-  for (std::size_t i = 0; i < candidates_.size(); ++i) {
-    Candidate& candidate = candidates_[i];
+  const Eigen::Isometry2d robot_from_world = view.world_from_robot.inverse();
+  for (Candidate& candidate : candidates_) {
     const Eigen::Vector2d seen_from_robot = robot_from_world * candidate.place;
-    const double distance = seen_from_robot.norm();
-    const bool in_view =
-        distance <= settings_.range_m && std::ranges::any_of(rays, [&](const FloorRay& ray) {
-          return distance_to_segment(seen_from_robot, ray.near, ray.far) <= radius_m(distance) / 2;
-        });
-    if (!reported[i] && !in_view) continue;
-    candidate.history.push_back(reported[i]);
-    if (static_cast<int>(candidate.history.size()) > settings_.confirm_window) candidate.history.pop_front();
-    candidate.confirmed = std::ranges::count(candidate.history, true) >= settings_.confirm_hits;
+    if (reported.contains(candidate.id) || !in_view(view, seen_from_robot)) continue;
+    candidate.log_odds += settings_.absence_log_odds * absence_share(view, seen_from_robot.norm());
   }
-  // A place that a whole window of frames looked at and found empty is forgotten.
-  std::erase_if(candidates_, [&](const Candidate& candidate) {
-    return static_cast<int>(candidate.history.size()) == settings_.confirm_window &&
-           std::ranges::count(candidate.history, true) == 0;
-  });
+  std::erase_if(candidates_, [](const Candidate& candidate) { return candidate.log_odds < 0; });
+}
+
+bool Grid::in_view(const View& view, const Eigen::Vector2d& place) const {
+  return place.norm() <= settings_.range_m && std::ranges::any_of(view.rays, [&](const FloorRay& ray) {
+           return distance_to_segment(place, ray.near, ray.far) <= settings_.resolution_m;
+         });
+}
+
+double Grid::report_share(const View& view, double distance_m) const {
+  return std::min(1.0, parallax_at(distance_m, view.parallax_px) / settings_.report_parallax_px);
+}
+
+double Grid::absence_share(const View& view, double distance_m) const {
+  return std::min(1.0, parallax_at(distance_m, view.parallax_px) / settings_.absence_parallax_px);
+}
+
+double Grid::limited(double log_odds) const {
+  return std::clamp(log_odds, -settings_.limit_log_odds, settings_.limit_log_odds);
 }
 
 std::vector<ConfirmedObstacle> Grid::confirmed() const {
-  std::vector<ConfirmedObstacle> confirmed;
+  std::vector<Candidate> surest;
   for (const Candidate& candidate : candidates_) {
-    if (candidate.confirmed) confirmed.push_back({candidate.id, candidate.place, candidate.reports});
+    if (candidate.log_odds >= settings_.confirmed_log_odds) surest.push_back(candidate);
   }
+  std::ranges::stable_sort(surest, std::greater(), &Candidate::log_odds);
+  std::vector<ConfirmedObstacle> confirmed;
+  for (const Candidate& candidate : surest) {
+    const bool stands = std::ranges::none_of(confirmed, [&](const ConfirmedObstacle& surer) {
+      return (surer.place - candidate.place).norm() < settings_.merge_m;
+    });
+    if (stands) confirmed.push_back({candidate.id, candidate.place, candidate.reports});
+  }
+  std::ranges::sort(confirmed, {}, &ConfirmedObstacle::id);
   return confirmed;
 }
 
@@ -183,9 +203,4 @@ Grid::Cell Grid::cell_at(const Eigen::Vector2d& place) const {
   return {static_cast<int>(std::floor(place.x() / settings_.resolution_m)),
           static_cast<int>(std::floor(place.y() / settings_.resolution_m))};
 }
-
-double Grid::radius_m(double distance_m) const {
-  return std::max(settings_.radius_m, settings_.radius_share * distance_m);
-}
-
 }  // namespace floorline

@@ -1,12 +1,11 @@
 /// Occupancy grid in the odometry frame: what stands on the floor, what floor the lines prove to be free, and
-/// which reports have been confirmed. Feed it mature frames only (PlannedFrame::mature): without a baseline
-/// nothing is proven.
+/// which reports have been confirmed. Every frame counts by what its baseline lets it see: the parallax of an
+/// obstacle, which falls with its distance.
 #ifndef FLOORLINE_HOST_GRID_H
 #define FLOORLINE_HOST_GRID_H
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
-#include <deque>
 #include <filesystem>
 #include <map>
 #include <opencv2/core.hpp>
@@ -35,23 +34,28 @@ std::vector<FloorRay> floor_rays(const golden::Parameters& parameters,
 
 struct GridSettings {
   double resolution_m = 0.05;
-  double range_m = 5;           ///< Floor farther from the robot than this is not judged.
-  double hit_log_odds = 0.85;   ///< Added where an obstacle stands.
-  double free_log_odds = -0.4;  ///< Added where a ray passes.
-  double limit_log_odds = 4;    ///< Cells stay within +- this, so that they can change their mind.
-  int confirm_hits = 2;         ///< An obstacle is confirmed when so many...
-  int confirm_window = 4;       ///< ...of the last so many frames with it in view reported it.
-  double radius_m = 0.35;       ///< Reports nearer than this, or...
-  double radius_share = 0.08;   ///< ...than this share of the distance, are the same obstacle.
+  double range_m = 5;               ///< Floor farther from the robot than this is not judged.
+  double hit_log_odds = 0.85;       ///< Added to a cell where an obstacle stands.
+  double free_log_odds = -0.4;      ///< Added where a ray passes.
+  double report_log_odds = 1.5;     ///< Added to an obstacle that a frame reports.
+  double absence_log_odds = -1.2;   ///< Added to one in view that it does not report.
+  double confirmed_log_odds = 1.8;  ///< From here on an obstacle is confirmed.
+  double limit_log_odds =
+      4;  ///< Cells and obstacles stay within +- this, so that they can change their mind.
+  double report_parallax_px = 0.9;    ///< Hits and reports count in full from this parallax on...
+  double absence_parallax_px = 1.85;  ///< ...what is not seen from this; below in proportion.
+  double radius_m = 0.42;             ///< Reports nearer to an obstacle than this are of it.
+  double merge_m = 0.6;  ///< Of confirmed obstacles nearer to each other than this, the surer one stands.
+  double settling_reports = 3;  ///< An obstacle's place is the mean of about so many reports.
 };
 
 /// The distances above, which suit a camera at 0.6 m, in proportion to the height of another camera.
 GridSettings grid_settings(double camera_height_m);
 
-/// An obstacle that several frames reported at one place.
+/// An obstacle that enough evidence speaks for.
 struct ConfirmedObstacle {
   int id;                 ///< Stays with the obstacle.
-  Eigen::Vector2d place;  ///< Mean of its reports, odometry frame, metres.
+  Eigen::Vector2d place;  ///< Odometry frame, metres.
   int reports;            ///< Frames that reported it.
 };
 
@@ -59,11 +63,12 @@ class Grid {
  public:
   explicit Grid(const GridSettings& settings);
 
-  /// One frame: what its lines say and the obstacles it reports (robot frame).
+  /// One frame: what its lines say, the obstacles it reports (robot frame), and the parallax of its pair as
+  /// PlannedFrame has it.
   void add(const PlanarPose& robot, const std::vector<FloorRay>& rays,
-           const std::vector<Eigen::Vector2d>& obstacles);
+           const std::vector<Eigen::Vector2d>& obstacles, double parallax_px);
 
-  /// Confirmed and not disproved since.
+  /// Confirmed and not disproved since, in the order of their ids.
   std::vector<ConfirmedObstacle> confirmed() const;
 
   /// Probability that the cell at a place (odometry frame) is occupied; 0.5 where nothing is known.
@@ -76,20 +81,28 @@ class Grid {
  private:
   using Cell = std::pair<int, int>;
 
-  /// Reports at one place.
+  /// What was reported at one place.
   struct Candidate {
     int id;
     Eigen::Vector2d place;
     int reports;
-    std::deque<bool> history;  ///< Of the last frames with it in view: reported or not.
-    bool confirmed;
+    double log_odds;
+  };
+
+  /// A frame as it looks at the floor.
+  struct View {
+    Eigen::Isometry2d world_from_robot;
+    const std::vector<FloorRay>& rays;
+    double parallax_px;
   };
 
   Cell cell_at(const Eigen::Vector2d& place) const;
-  void add_rays(const PlanarPose& robot, const std::vector<FloorRay>& rays);
-  void add_obstacles(const PlanarPose& robot, const std::vector<FloorRay>& rays,
-                     const std::vector<Eigen::Vector2d>& obstacles);
-  double radius_m(double distance_m) const;
+  void add_rays(const View& view);
+  void add_reports(const View& view, const std::vector<Eigen::Vector2d>& obstacles);
+  bool in_view(const View& view, const Eigen::Vector2d& place) const;
+  double report_share(const View& view, double distance_m) const;
+  double absence_share(const View& view, double distance_m) const;
+  double limited(double log_odds) const;
 
   GridSettings settings_;
   std::map<Cell, double> log_odds_;

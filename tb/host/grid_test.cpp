@@ -23,6 +23,9 @@ std::vector<FloorRay> rays_with_obstacle(double distance_m) {
   return rays;
 }
 
+/// Enough for every distance of these tests to count in full.
+constexpr double kParallax = 10;
+
 const std::vector<FloorRay> open_floor = rays_with_obstacle(INFINITY);
 
 TEST(FloorRays, EndAtTheNearestContact) {
@@ -54,7 +57,7 @@ TEST(FloorRays, LinesThatDoNotSeeTheFloorGiveNone) {
 TEST(Grid, LearnsWhatIsOccupiedAndFree) {
   Grid grid({});
   EXPECT_EQ(grid.occupancy({2, 0}), 0.5);
-  for (int i = 0; i < 4; ++i) grid.add({}, rays_with_obstacle(2.02), {});
+  for (int i = 0; i < 4; ++i) grid.add({}, rays_with_obstacle(2.02), {}, kParallax);
   EXPECT_GT(grid.occupancy({2.02, 0}), 0.9);
   EXPECT_LT(grid.occupancy({1.5, 0}), 0.2);
   EXPECT_EQ(grid.occupancy({2.5, 0}), 0.5) << "behind the obstacle nothing is known";
@@ -63,15 +66,15 @@ TEST(Grid, LearnsWhatIsOccupiedAndFree) {
 
 TEST(Grid, FreeFloorDisprovesAnObstacle) {
   Grid grid({});
-  for (int i = 0; i < 10; ++i) grid.add({}, rays_with_obstacle(2.02), {});
-  for (int i = 0; i < 20; ++i) grid.add({}, open_floor, {});
+  for (int i = 0; i < 10; ++i) grid.add({}, rays_with_obstacle(2.02), {}, kParallax);
+  for (int i = 0; i < 20; ++i) grid.add({}, open_floor, {}, kParallax);
   EXPECT_LT(grid.occupancy({2.02, 0}), 0.2);
 }
 
 TEST(Grid, PlacesThingsByTheRobotsPose) {
   Grid grid({});
   // Facing +Y from (1, 1): ahead is +Y, left is -X.
-  for (int i = 0; i < 4; ++i) grid.add({1, 1, M_PI / 2}, rays_with_obstacle(2.02), {{2, 0.5}});
+  for (int i = 0; i < 4; ++i) grid.add({1, 1, M_PI / 2}, rays_with_obstacle(2.02), {{2, 0.5}}, kParallax);
   EXPECT_GT(grid.occupancy({1.02, 3.02}), 0.9);
   ASSERT_EQ(grid.confirmed().size(), 1u);
   EXPECT_TRUE(grid.confirmed()[0].place.isApprox(Eigen::Vector2d(0.5, 3)));
@@ -79,60 +82,80 @@ TEST(Grid, PlacesThingsByTheRobotsPose) {
 
 TEST(Grid, DoesNotJudgeBeyondItsRange) {
   Grid grid({.range_m = 3});
-  for (int i = 0; i < 4; ++i) grid.add({}, rays_with_obstacle(3.5), {{3.5, 0}});
+  for (int i = 0; i < 4; ++i) grid.add({}, rays_with_obstacle(3.5), {{3.5, 0}}, kParallax);
   EXPECT_EQ(grid.occupancy({3.5, 0}), 0.5);
   EXPECT_LT(grid.occupancy({2.9, 0}), 0.5);
   EXPECT_TRUE(grid.confirmed().empty());
 }
 
-TEST(Grid, ConfirmsKOfN) {
-  Grid grid({.confirm_hits = 2, .confirm_window = 4});
-  grid.add({}, open_floor, {{2, 0}});
+TEST(Grid, ConfirmsWhatIsReportedAgain) {
+  Grid grid({});
+  grid.add({}, open_floor, {{2, 0}}, kParallax);
   EXPECT_TRUE(grid.confirmed().empty());
-  grid.add({}, open_floor, {});
-  grid.add({}, open_floor, {{2.1, 0}});
+  grid.add({}, open_floor, {{2.1, 0}}, kParallax);
   ASSERT_EQ(grid.confirmed().size(), 1u);
   EXPECT_NEAR(grid.confirmed()[0].place.x(), 2.05, 1e-12);
   EXPECT_EQ(grid.confirmed()[0].reports, 2);
-  grid.add({}, open_floor, {});
-  grid.add({}, open_floor, {});
-  EXPECT_TRUE(grid.confirmed().empty()) << "one of the last four";
+}
+
+TEST(Grid, AFrameCountsByItsParallax) {
+  // At 2.5 m the parallax is that of the frame.
+  const GridSettings settings;
+  const double half_px = settings.report_parallax_px / 2;
+  Grid grid(settings);
+  for (int i = 0; i < 2; ++i) grid.add({}, open_floor, {{2.5, 0}}, half_px);
+  EXPECT_TRUE(grid.confirmed().empty()) << "as much as one whole report";
+  grid.add({}, open_floor, {{2.5, 0}}, half_px);
+  EXPECT_EQ(grid.confirmed().size(), 1u);
+  for (int i = 0; i < 100; ++i) grid.add({}, open_floor, {}, 0);
+  EXPECT_EQ(grid.confirmed().size(), 1u) << "without a baseline nothing is disproved";
+}
+
+TEST(Grid, DropsWhatLaterFramesDoNotSee) {
+  Grid grid({});
+  for (int i = 0; i < 3; ++i) grid.add({}, open_floor, {{2, 0}}, kParallax);
+  const int id = grid.confirmed().at(0).id;
+  grid.add({}, open_floor, {}, kParallax);
+  EXPECT_EQ(grid.confirmed().size(), 1u) << "one frame may miss it";
+  for (int i = 0; i < 4; ++i) grid.add({}, open_floor, {}, kParallax);
+  EXPECT_TRUE(grid.confirmed().empty());
+  for (int i = 0; i < 2; ++i) grid.add({}, open_floor, {{2, 0}}, kParallax);
+  EXPECT_NE(grid.confirmed().at(0).id, id);
+}
+
+TEST(Grid, OfTwoThatAreNearTheSurerStands) {
+  Grid grid({});
+  grid.add({}, open_floor, {{2, 0.5}}, kParallax);
+  for (int i = 0; i < 2; ++i) grid.add({}, open_floor, {{2, 0}, {2, 0.5}}, kParallax);
+  ASSERT_EQ(grid.confirmed().size(), 1u);
+  EXPECT_NEAR(grid.confirmed()[0].place.y(), 0.5, 1e-12);
 }
 
 TEST(Grid, TwoReportsInOneFrameAreOneFrame) {
-  Grid grid({.confirm_hits = 2});
-  grid.add({}, open_floor, {{2, 0}, {2.05, 0}});
+  Grid grid({});
+  grid.add({}, open_floor, {{2, 0}, {2.05, 0}}, kParallax);
   EXPECT_TRUE(grid.confirmed().empty());
 }
 
 TEST(Grid, KeepsWhatIsOutOfView) {
   Grid grid({});
-  for (int i = 0; i < 3; ++i) grid.add({}, open_floor, {{2, 0}});
-  for (int i = 0; i < 10; ++i) grid.add({0, 0, M_PI}, open_floor, {});  // The robot has turned round.
+  for (int i = 0; i < 3; ++i) grid.add({}, open_floor, {{2, 0}}, kParallax);
+  for (int i = 0; i < 10; ++i)
+    grid.add({0, 0, M_PI}, open_floor, {}, kParallax);  // The robot has turned round.
   ASSERT_EQ(grid.confirmed().size(), 1u);
   const int id = grid.confirmed()[0].id;
-  grid.add({}, open_floor, {{2, 0}, {3, 0.5}});
-  grid.add({}, open_floor, {{2, 0}, {3, 0.5}});
+  grid.add({}, open_floor, {{2, 0}, {3, 0.5}}, kParallax);
+  grid.add({}, open_floor, {{2, 0}, {3, 0.5}}, kParallax);
   ASSERT_EQ(grid.confirmed().size(), 2u);
   EXPECT_EQ(grid.confirmed()[0].id, id);
   EXPECT_NE(grid.confirmed()[1].id, id);
-}
-
-TEST(Grid, ForgetsWhatAWindowOfFramesDidNotSee) {
-  Grid grid({.confirm_hits = 1, .confirm_window = 3});
-  grid.add({}, open_floor, {{2, 0}});
-  const int first = grid.confirmed().at(0).id;
-  for (int i = 0; i < 3; ++i) grid.add({}, open_floor, {});
-  EXPECT_TRUE(grid.confirmed().empty());
-  grid.add({}, open_floor, {{2, 0}});
-  EXPECT_NE(grid.confirmed().at(0).id, first);
 }
 
 TEST(Grid, WritesAMapForMapServer) {
   const TemporaryFolder folder;
   Grid grid({});
   EXPECT_REFUSED(grid.write(folder.path()), "grid is empty");
-  for (int i = 0; i < 6; ++i) grid.add({}, rays_with_obstacle(2.02), {});
+  for (int i = 0; i < 6; ++i) grid.add({}, rays_with_obstacle(2.02), {}, kParallax);
   grid.write(folder.path());
   const std::string yaml = read_text(folder / "map.yaml");
   EXPECT_THAT(yaml, testing::HasSubstr("image: map.png\nresolution: 0.05\norigin: [0.5, "));
@@ -154,6 +177,7 @@ TEST(GridSettings, GrowWithTheCamera) {
   EXPECT_NEAR(settings.range_m, 2 * GridSettings{}.range_m, 1e-12);
   EXPECT_NEAR(settings.resolution_m, 2 * GridSettings{}.resolution_m, 1e-12);
   EXPECT_NEAR(settings.radius_m, 2 * GridSettings{}.radius_m, 1e-12);
+  EXPECT_NEAR(settings.merge_m, 2 * GridSettings{}.merge_m, 1e-12);
 }
 
 }  // namespace
