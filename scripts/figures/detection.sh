@@ -14,8 +14,8 @@ score() {
     local area=$1 case=$2
     shift 2
     # Exit code 1 only says that a bound is missed, which the figures tell too.
-    "$floorline" score "$@" --model golden --json "$work/score.json" >/dev/null || [ $? = 1 ]
-    ./scripts/json_figures.py "$work/score.json" "$area" "$case"
+    "$floorline" score "$@" --model golden --json "$work/$area.$case.json" >/dev/null || [ $? = 1 ]
+    ./scripts/json_figures.py "$work/$area.$case.json" "$area" "$case"
 }
 
 # The paper's rule is scored for comparison, so that none of its figures can be short.
@@ -29,8 +29,16 @@ rooms() {
         "$floorline" render --seeds 1..200 --output "$folder.unfinished" >/dev/null
         mv "$folder.unfinished" "$folder"
     }
-    for baseline in 1 2 4 8; do score detection "b$baseline" "$folder"/* --baseline "$baseline"; done
-    score detection.paper b1 "$folder"/* --rule paper --baseline 1 | without_bounds
+    local baseline pid pids=()
+    for baseline in 1 2 4 8; do
+        score detection "b$baseline" "$folder"/* --baseline "$baseline" >"$work/b$baseline" &
+        pids+=($!)
+    done
+    score detection.paper b1 "$folder"/* --rule paper --baseline 1 >"$work/paper" &
+    pids+=($!)
+    for pid in "${pids[@]}"; do wait "$pid"; done
+    cat "$work"/b[1248]
+    without_bounds <"$work/paper"
 }
 
 kitti() {
@@ -42,6 +50,7 @@ kitti() {
     done
 }
 
-sources=(golden host render apps/score.cpp apps/score_command.cpp apps/drive.cpp apps/model.cpp scripts/figures/detection.sh)
+# The driver of the hardware has no part in it.
+sources=(golden host ':!host/driver.*' render apps/score.cpp apps/score_command.cpp apps/drive.cpp apps/model.cpp scripts/figures/detection.sh)
 recorded detection "${sources[@]}" -- rooms
 kitti
