@@ -22,6 +22,7 @@ import sys
 import yaml
 
 import compiled
+import pack
 import report
 import shell
 from common import ROOT, fail, say
@@ -30,7 +31,7 @@ HERE = pathlib.Path(__file__).resolve().parent
 RECORDS = ROOT / "records/synth"
 TARGETS = ("xc6v", "xc7", "ecp5")
 DEVICE = ["--85k", "--package", "CABGA381", "--speed", "6"]
-NEXTPNR = [*DEVICE, "--freq", "160", "--timing-allow-fail"]  # MHz to aim at; timing-driven, as nextpnr is by default
+NEXTPNR = [*DEVICE, "--freq", "130", "--timing-allow-fail"]  # MHz to aim at; timing-driven, as nextpnr is by default
 
 # What one cell costs: lut, ff, bram (of 36 Kbit on Xilinx, 18 Kbit on ECP5), dsp. Cells that are not listed cost nothing of these.
 Cost = collections.namedtuple("Cost", "lut ff bram dsp")
@@ -105,12 +106,12 @@ class Design:
 
     def key(self):
         """The hash of what the result depends on: sources, tools, what they are told, and what a cell counts for."""
-        return content_key([*self.sources, HERE / "shell.py"], versions(self.target), self.scripts(), NEXTPNR, XILINX, ECP5, self.parts_of)
+        return content_key([*self.sources, HERE / "shell.py", HERE / "pack.py"], versions(self.target), self.scripts(), NEXTPNR, XILINX, ECP5, self.parts_of)
 
     def scripts(self):
         """What Yosys is told: `parts` keeps the hierarchy, for the shares of the parts; `flat` gives the sum, and nextpnr's netlist."""
         if self.target == "ecp5":
-            synthesis = {"parts": "synth_ecp5 -noflatten", "flat": "synth_ecp5"}
+            synthesis = {"parts": "synth_ecp5 -abc9 -noflatten", "flat": "synth_ecp5 -abc9"}
         else:
             command = f"synth_xilinx -noiopad -noclkbuf -family {self.target}"
             synthesis = {"parts": command, "flat": f"{command} -flatten"}
@@ -184,12 +185,16 @@ def synthesise(design):
 
 
 def enclose(design):
-    """The netlist for nextpnr: the synthesised design in a shell of three pins."""
+    """The netlist for nextpnr: the synthesised design in a shell of three pins, with registers packed into its blocks."""
     ports = json.loads((design.folder / "netlist.json").read_text())["modules"][design.top]["ports"]
     (design.folder / "shell.v").write_text(shell.verilog(design.top, ports))
     script = (f"read_json {design.relative('netlist.json')}; read_verilog {design.relative('shell.v')}; "
               f"synth_ecp5 -top shell -json {design.relative('shell.json')}")
     run([tool("yosys"), "-q", "-p", script], design.folder / "yosys-shell.log")
+    file = design.folder / "shell.json"
+    netlist = json.loads(file.read_text())
+    say(f"pack: blocks take {pack.pack(netlist['modules']['shell'])} flip-flops")
+    file.write_text(json.dumps(netlist))
 
 
 def place_and_route(design, seed):

@@ -6,6 +6,7 @@ import unittest
 
 import baseline
 import flow
+import pack
 import power
 import report
 import shell
@@ -54,6 +55,55 @@ class Shell(unittest.TestCase):
         text = shell.verilog("design_top", ports)
         self.assertIn("design_top design (.clk(clk), .a(feed[1:0]), .b(result[19:0]));", text)
         self.assertIn("fold[1] <= ^captured[19:16];", text)
+
+
+class Pack(unittest.TestCase):
+    """A block RAM whose output bits 2 and 3 go to flip-flops 12 and 13 with the enable 5."""
+
+    def module(self):
+        def flip_flop(data, output, mux="CE"):
+            return {"type": "TRELLIS_FF", "parameters": {"CEMUX": mux, "CLKMUX": "CLK", "REGSET": "RESET"},
+                    "port_directions": {"CLK": "input", "CE": "input", "LSR": "input", "DI": "input", "Q": "output"},
+                    "connections": {"CLK": [1], "CE": [5], "LSR": ["0"], "DI": [data], "Q": [output]}}
+
+        ram = {"type": "DP16KD", "parameters": {"REGMODE_B": "NOREG"}, "port_directions": {"CLKB": "input", "OCEB": "input", "DOB0": "output", "DOB1": "output"},
+               "connections": {"CLKB": [1], "OCEB": ["1"], "DOB0": [2], "DOB1": [3]}}
+        return {"ports": {"out": {"direction": "output", "bits": [12, 13]}}, "cells": {"ram": ram, "low": flip_flop(2, 12), "high": flip_flop(3, 13)}}
+
+    def test_a_block_takes_the_registers_behind_it(self):
+        module = self.module()
+        self.assertEqual(pack.pack(module), 2)
+        self.assertEqual(list(module["cells"]), ["ram"])
+        ram = module["cells"]["ram"]
+        self.assertEqual(ram["parameters"]["REGMODE_B"], "OUTREG")
+        self.assertEqual(ram["connections"], {"CLKB": [1], "OCEB": [5], "DOB0": [12], "DOB1": [13]})
+
+    def test_an_inverted_enable_is_inverted_once(self):
+        module = self.module()
+        for name in ("low", "high"):
+            module["cells"][name]["parameters"]["CEMUX"] = "INV"
+        self.assertEqual(pack.pack(module), 2)
+        inverter = module["cells"]["complement_5"]["connections"]
+        self.assertEqual((inverter["A"], inverter["Z"]), ([5], module["cells"]["ram"]["connections"]["OCEB"]))
+
+    def test_what_is_read_elsewhere_or_differs_stays(self):
+        def read_elsewhere(module):
+            module["ports"]["out"]["bits"].append(3)
+
+        def with_reset(module):
+            module["cells"]["low"]["connections"]["LSR"] = [6]
+
+        def other_enable(module):
+            module["cells"]["low"]["connections"]["CE"] = [7]
+
+        def other_clock(module):
+            module["cells"]["ram"]["connections"]["CLKB"] = [8]
+
+        for change in (read_elsewhere, with_reset, other_enable, other_clock):
+            module = self.module()
+            change(module)
+            self.assertEqual(pack.pack(module), 0, change.__name__)
+            self.assertEqual(len(module["cells"]), 3)
 
 
 class Baseline(unittest.TestCase):
