@@ -42,6 +42,7 @@ class Flattener {
     BasicBlock *outer_header = outer_.getHeader(), *outer_latch = outer_.getLoopLatch();
     BasicBlock* entry = outer_.getLoopPreheader();
     MDNode* id = inner_.getLoopID();
+    addresses_to_users();
     values_to_memory();
     slots_.push_back(
         new AllocaInst(Type::getInt1Ty(context_), 0, "first", function_.getEntryBlock().begin()));
@@ -82,6 +83,30 @@ class Flattener {
     return any_of(instruction.users(), [&](const User* user) {
       return isa<PHINode>(user) || cast<Instruction>(user)->getParent() != instruction.getParent();
     });
+  }
+
+  /// An address stays in the block of its access, which would otherwise choose between addresses.
+  void addresses_to_users() {
+    std::vector<Instruction*> work;
+    for (BasicBlock* block : outer_.blocks())
+      for (Instruction& instruction : *block)
+        if (instruction.getType()->isPointerTy()) work.push_back(&instruction);
+    // From the last to the first, so that what an address is made of follows it.
+    while (!work.empty()) {
+      Instruction* address = work.back();
+      work.pop_back();
+      for (Use& use : make_early_inc_range(address->uses())) {
+        auto* user = cast<Instruction>(use.getUser());
+        if (user->getParent() == address->getParent()) continue;
+        Instruction* copy = address->clone();
+        copy->insertBefore(user);
+        use.set(copy);
+        for (Value* operand : copy->operands())
+          if (auto* base = dyn_cast<Instruction>(operand);
+              base && base->getType()->isPointerTy() && outer_.contains(base))
+            work.push_back(base);
+      }
+    }
   }
 
   void values_to_memory() {
@@ -127,6 +152,17 @@ bool calls_process(const Loop& loop) {
   return false;
 }
 
+/// Whether a pointer comes from several places.
+bool chooses_addresses(const Loop& loop) {
+  for (BasicBlock* block : loop.blocks())
+    for (Instruction& instruction : *block) {
+      if (!instruction.getType()->isPointerTy()) continue;
+      bool meets_others = any_of(instruction.users(), [](const User* user) { return isa<PHINode>(user); });
+      if (isa<PHINode>(instruction) || meets_others) return true;
+    }
+  return false;
+}
+
 /// Why a pipelined loop and the one around it cannot be one loop; empty when they can.
 std::string hindrance(const Loop& inner) {
   const Loop* outer = inner.getParentLoop();
@@ -134,7 +170,7 @@ std::string hindrance(const Loop& inner) {
   if (outer->getSubLoops().size() != 1) return "the loop around it holds other loops";
   if (!inner.isLoopSimplifyForm() || !outer->isLoopSimplifyForm()) return "its shape is irregular";
   if (calls_process(*outer)) return "it starts processes";
-  if (!outer->getExitingBlock() && !outer->hasDedicatedExits()) return "its shape is irregular";
+  if (chooses_addresses(*outer)) return "it chooses between arrays";
   return "";
 }
 
