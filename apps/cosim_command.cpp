@@ -59,6 +59,7 @@ nlohmann::json facts(const CosimSummary& s) {
            {{"points", s.sum(&cosim::FrameVerdict::points)},
             {"obstacles", s.sum(&cosim::FrameVerdict::obstacles)},
             {"counts", s.sum(&cosim::FrameVerdict::counts)},
+            {"taps", s.sum(&cosim::FrameVerdict::taps)},
             {"registers", s.sum(&cosim::FrameVerdict::registers)}}},
           {"points", s.sum(&cosim::FrameVerdict::point_count)},
           {"obstacles", s.sum(&cosim::FrameVerdict::obstacle_count)},
@@ -74,10 +75,10 @@ nlohmann::json facts(const CosimSummary& s) {
 void print(const Options& options, const CosimSummary& s) {
   options.results.text(
       fmt::format("{}: {} frames of {}x{}, stalls {}: {} differing bits in {} points, {} obstacles, {} line "
-                  "counts and the registers",
+                  "counts, {} elements of the taps and the registers",
                   options.sequence, s.frames(), s.size.width, s.size.height, s.stalls, s.result.differences(),
                   s.sum(&cosim::FrameVerdict::point_count), s.sum(&cosim::FrameVerdict::obstacle_count),
-                  s.sum(&cosim::FrameVerdict::line_count)));
+                  s.sum(&cosim::FrameVerdict::line_count), s.sum(&cosim::FrameVerdict::tap_count)));
   options.results.text(
       fmt::format("{} cycles a frame at most, {} from the deciding row to the point; {:.3g} million cycles a "
                   "second, {:.3g} frames a second",

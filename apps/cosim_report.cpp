@@ -25,6 +25,7 @@ nlohmann::json comparison_section(const CosimSummary& s) {
         stream("obstacles", s.sum(&cosim::FrameVerdict::obstacles),
                s.sum(&cosim::FrameVerdict::obstacle_count)),
         stream("line counts", s.sum(&cosim::FrameVerdict::counts), s.sum(&cosim::FrameVerdict::line_count)),
+        stream("taps", s.sum(&cosim::FrameVerdict::taps), s.sum(&cosim::FrameVerdict::tap_count)),
         stream("registers", s.sum(&cosim::FrameVerdict::registers), s.frames())}}};
 }
 

@@ -25,7 +25,10 @@ nlohmann::json to_json(const std::vector<cosim::CycleRow>& table) {
   for (const cosim::CycleRow& row : table) {
     rows.push_back({{"width", row.size.width},
                     {"height", row.size.height},
+                    {"stalls", name(row.stalls)},
                     {"frame_cycles", row.frame_cycles},
+                    {"input_stalls", row.input_stalls},
+                    {"output_stalls", row.output_stalls},
                     {"first_result_latency", row.first_result_latency},
                     {"decision_latency", row.decision_latency}});
   }
@@ -48,38 +51,41 @@ nlohmann::json hardware_sections(const nlohmann::json& table, const nlohmann::js
   for (std::size_t i = 0; i < table.size(); ++i) {
     const nlohmann::json& row = table[i];
     const bool same = !baseline.is_null() && i < baseline.size() && baseline[i] == row;
-    rows.push_back({fmt::format("{}x{}", row["width"].get<int>(), row["height"].get<int>()),
-                    row["frame_cycles"], row["first_result_latency"], row["decision_latency"],
+    rows.push_back({fmt::format("{}x{}", row["width"].get<int>(), row["height"].get<int>()), row["stalls"],
+                    row["frame_cycles"], row["input_stalls"], row["output_stalls"],
+                    row["first_result_latency"], row["decision_latency"],
                     baseline.is_null() ? ""
                     : same             ? "ok"
                                        : "short"});
   }
   return nlohmann::json::array(
       {{{"title", "Cycles by frame size"},
-        {"note",
-         "The core's own counters on frames back to back without stalls; short: not what the baseline has."},
-        {"columns", {"size", "frame", "first pixel to first result", "deciding row to point", "verdict"}},
+        {"note", "The core's own counters on frames back to back; short: not what the baseline has."},
+        {"columns",
+         {"size", "stalls", "frame", "pixels waited", "results waited", "first pixel to first result",
+          "deciding row to point", "verdict"}},
         {"rows", rows}}});
 }
 
 ExitCode run(const Options& options) {
   const nlohmann::json baseline =
       options.baseline.empty() ? nlohmann::json() : read_baseline(options.baseline);
-  const auto& sizes = cosim::measured_sizes();
+  const auto& cases = cosim::cycle_cases();
   std::vector<cosim::CycleRow> table;
   {
     Progress progress("cycles");
-    for (const cv::Size& size : sizes) {
-      table.push_back(cosim::measure_cycles(size));
-      progress.advance(static_cast<int>(table.size()), static_cast<int>(sizes.size()));
+    for (const cosim::CycleCase& some : cases) {
+      table.push_back(cosim::measure_cycles(some.size, some.stalls));
+      progress.advance(static_cast<int>(table.size()), static_cast<int>(cases.size()));
     }
   }
-  options.results.text(fmt::format("{:>9} {:>10} {:>14} {:>12} {:>14}", "size", "cycles", "beyond pixels",
-                                   "first result", "deciding row"));
-  for (const auto& [size, cycles, first, decision] : table) {
-    options.results.text(fmt::format("{:>9} {:>10} {:>14} {:>12} {:>14}",
-                                     fmt::format("{}x{}", size.width, size.height), cycles,
-                                     static_cast<int>(cycles) - size.area(), first, decision));
+  options.results.text(fmt::format("{:>9} {:>7} {:>10} {:>14} {:>12} {:>14}", "size", "stalls", "cycles",
+                                   "beyond pixels", "first result", "deciding row"));
+  for (const cosim::CycleRow& row : table) {
+    options.results.text(fmt::format("{:>9} {:>7} {:>10} {:>14} {:>12} {:>14}",
+                                     fmt::format("{}x{}", row.size.width, row.size.height), name(row.stalls),
+                                     row.frame_cycles, static_cast<int>(row.frame_cycles) - row.size.area(),
+                                     row.first_result_latency, row.decision_latency));
   }
   const nlohmann::json facts = to_json(table);
   options.results.json(facts);

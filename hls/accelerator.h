@@ -40,12 +40,13 @@ typedef AcceleratorConfig<640, 480, 32, 256> VgaConfig;
 typedef AcceleratorConfig<1280, 384, 32, 256> WideConfig;  ///< KITTI-shaped frames.
 
 /// One frame. pixels: width * height; points, obstacles and counts end with the frame's `end` element;
-/// null_pixels: how many pixels of the frame have no counterpart in the reference.
+/// null_pixels: how many pixels of the frame have no counterpart in the reference; threshold_used: its high
+/// threshold.
 template <typename Config>
 void accelerator(hls::stream<RgbPixel>& pixels, hls::stream<FloorPoint>& points,
                  hls::stream<Obstacle>& obstacles, hls::stream<LineCount>& counts,
-                 hls::stream<ap_uint<24> >& null_pixels, const FrameParameters& parameters,
-                 const LineSetup lines[Config::MAX_LINES]) {
+                 hls::stream<ap_uint<24> >& null_pixels, hls::stream<Pixel>& threshold_used,
+                 const FrameParameters& parameters, const LineSetup lines[Config::MAX_LINES]) {
 #pragma HLS DATAFLOW
   const int WIDTH = Config::MAX_WIDTH;
   const int HEIGHT = Config::MAX_HEIGHT;
@@ -93,7 +94,7 @@ void accelerator(hls::stream<RgbPixel>& pixels, hls::stream<FloorPoint>& points,
   displacement<WIDTH, HEIGHT>(changes, motions, width, height, parameters.displacement);
   gaussian<WIDTH, HEIGHT>(difference_out, blurred, width, height);
   otsu<WIDTH, HEIGHT>(blurred, measured, thresholds, width, height);
-  binarize<WIDTH, HEIGHT>(measured, thresholds, binary, width, height, parameters.threshold);
+  binarize<WIDTH, HEIGHT>(measured, thresholds, binary, threshold_used, width, height, parameters.threshold);
   erode<WIDTH, HEIGHT>(binary, eroded, width, height, parameters.erode_high);
   roi<WIDTH, HEIGHT>(eroded, region, width, height, parameters.roi_first_row, parameters.roi_last_row);
   polar<WIDTH, HEIGHT, Config::MAX_LINES>(region, motions, contacts, counts, width, height,
@@ -111,6 +112,7 @@ void floorline_accelerator(hls::stream<floorline::RgbPixel>& pixels,
                            hls::stream<floorline::FloorPoint>& points,
                            hls::stream<floorline::Obstacle>& obstacles,
                            hls::stream<floorline::LineCount>& counts, hls::stream<ap_uint<24> >& null_pixels,
+                           hls::stream<floorline::Pixel>& threshold_used,
                            const floorline::FrameParameters& parameters,
                            const floorline::LineSetup lines[floorline::VgaConfig::MAX_LINES]);
 
@@ -119,6 +121,7 @@ void floorline_accelerator_wide(hls::stream<floorline::RgbPixel>& pixels,
                                 hls::stream<floorline::Obstacle>& obstacles,
                                 hls::stream<floorline::LineCount>& counts,
                                 hls::stream<ap_uint<24> >& null_pixels,
+                                hls::stream<floorline::Pixel>& threshold_used,
                                 const floorline::FrameParameters& parameters,
                                 const floorline::LineSetup lines[floorline::WideConfig::MAX_LINES]);
 

@@ -18,10 +18,12 @@ inline Pixel high_threshold(Pixel otsu, const ThresholdParameters& parameters) {
   return otsu > parameters.floor ? otsu : parameters.floor;
 }
 
-/// in: width * height pixels; thresholds: one a frame, before its first pixel. out: width * height masks.
+/// in: width * height pixels; thresholds: one a frame, before its first pixel. out: width * height masks;
+/// threshold_used: th_high, one a frame, after its last pixel.
 template <int MAX_WIDTH, int MAX_HEIGHT>
-void binarize(hls::stream<Pixel>& in, hls::stream<Pixel>& thresholds, hls::stream<Mask>& out, Size width,
-              Size height, const ThresholdParameters& parameters) {
+void binarize(hls::stream<Pixel>& in, hls::stream<Pixel>& thresholds, hls::stream<Mask>& out,
+              hls::stream<Pixel>& threshold_used, Size width, Size height,
+              const ThresholdParameters& parameters) {
   const Pixel high = high_threshold(thresholds.read(), parameters);
   const Pixel low = parameters.low;
 PIXELS:
@@ -31,6 +33,7 @@ PIXELS:
     const Pixel pixel = in.read();
     out.write((ap_uint<1>(pixel > high), ap_uint<1>(pixel > low)));
   }
+  threshold_used.write(high);
 }
 
 }  // namespace floorline

@@ -166,6 +166,7 @@ HardwareCounters Driver::counters() {
   counters.first_result_latency = bus_.read32(FLOORLINE_FIRST_RESULT_LATENCY);
   counters.decision_latency = bus_.read32(FLOORLINE_DECISION_LATENCY);
   counters.null_pixels = bus_.read32(FLOORLINE_NULL_PIXELS);
+  counters.threshold_used = bus_.read32(FLOORLINE_THRESHOLD_USED);
   return counters;
 }
 

@@ -46,6 +46,7 @@ struct HardwareCounters {
   std::uint32_t frame_cycles, input_stalls, output_stalls;
   std::uint32_t first_result_latency, decision_latency;
   std::uint32_t null_pixels;
+  std::uint32_t threshold_used;  ///< Grey level.
 };
 
 class Driver {

@@ -50,6 +50,7 @@ module axil_registers (
     input  wire [23:0]  first_result_latency,
     input  wire [23:0]  decision_latency,
     input  wire [23:0]  null_pixels,
+    input  wire [7:0]   threshold_used,
     output wire [11:0]  width,
     output wire [11:0]  height,
     output wire         grey,
@@ -181,7 +182,7 @@ module axil_registers (
     always @(posedge clk) begin
         from_store_reg  <= read_address[6];
         read_mapped_reg <= read_address[10:7] == 4'd0 &&
-                           read_address[5:0] <= (read_address[6] ? 6'd38 : 6'd15);
+                           read_address[5:0] <= (read_address[6] ? 6'd38 : 6'd16);
         case (read_address[5:0])
             6'd0: register_data_reg <= 32'h464c5231;
             6'd1: register_data_reg <= 32'h00000100;
@@ -199,6 +200,7 @@ module axil_registers (
             6'd13: register_data_reg <= {8'd0, first_result_latency};
             6'd14: register_data_reg <= {8'd0, decision_latency};
             6'd15: register_data_reg <= {8'd0, null_pixels};
+            6'd16: register_data_reg <= {24'd0, threshold_used};
             default: register_data_reg <= 32'd0;
         endcase
     end

@@ -77,6 +77,8 @@
 
 #define FLOORLINE_NULL_PIXELS 0x03cu
 
+#define FLOORLINE_THRESHOLD_USED 0x040u
+
 /* Frame parameters: shadowed, taken with FLOORLINE_UPDATE_PARAMETERS_MASK. */
 #define FLOORLINE_WIDTH 0x100u
 #define FLOORLINE_HEIGHT 0x104u

@@ -7,6 +7,9 @@
 // GREY is 1. Results: one packet a frame, elements as in hls/types.h with their fields packed from bit 0; TLAST on the frame's
 // end element, TUSER there: the frame was malformed. Registers: docs/registers.md. Malformed input: rtl/frame_guard.v.
 // The core is floorline_accelerator, or the one that FLOORLINE_CORE names, whose maxima the parameters must then be.
+// The tap_ outputs show what passes between stages of the core, each a stream of width * height elements a frame: difference image
+// (8 bits), motions (2), the difference's Gaussian (8), masks in the region of interest (2: high, low). An element passes in a cycle in which
+// TVALID and TREADY are 1; both are outputs, so nothing waits for who looks. Left open they cost nothing.
 // After a malformed frame that was to become the reference, no pixel is valid until a good frame has replaced it, so that a
 // broken reference gives no false obstacle.
 
@@ -65,7 +68,23 @@ module floorline_top #(
     output wire          m_axis_counts_tuser,
     output wire          m_axis_counts_tlast,
     output wire          m_axis_counts_tvalid,
-    input  wire          m_axis_counts_tready
+    input  wire          m_axis_counts_tready,
+
+    output wire [7:0]    tap_difference_tdata,
+    output wire          tap_difference_tvalid,
+    output wire          tap_difference_tready,
+
+    output wire [7:0]    tap_motion_tdata,
+    output wire          tap_motion_tvalid,
+    output wire          tap_motion_tready,
+
+    output wire [7:0]    tap_blurred_tdata,
+    output wire          tap_blurred_tvalid,
+    output wire          tap_blurred_tready,
+
+    output wire [7:0]    tap_region_tdata,
+    output wire          tap_region_tvalid,
+    output wire          tap_region_tready
 );
 
     reg rst;
@@ -84,6 +103,7 @@ module floorline_top #(
     wire [23:0]  malformed_frames, dropped_frames, frame_cycles, input_stalls, output_stalls;
     wire [23:0]  first_result_latency, decision_latency;
     reg  [23:0]  null_pixels_reg;
+    reg  [7:0]   threshold_used_reg;
     wire [11:0]  width;
     wire [11:0]  height;
     wire         grey;
@@ -168,6 +188,7 @@ module floorline_top #(
         .first_result_latency (first_result_latency),
         .decision_latency    (decision_latency),
         .null_pixels         (null_pixels_reg),
+        .threshold_used      (threshold_used_reg),
         .width               (width),
         .height              (height),
         .grey                (grey),
@@ -314,6 +335,8 @@ module floorline_top #(
     wire                  counts_tvalid, counts_tready;
     wire [23:0]           null_pixels_tdata;
     wire                  null_pixels_tvalid;
+    wire [7:0]            threshold_used_tdata;
+    wire                  threshold_used_tvalid;
     wire [LOG2_LINES-1:0] lines_address;
     wire                  lines_enable;
     wire [110:0]          lines_data;
@@ -342,6 +365,21 @@ module floorline_top #(
         .null_pixels_TDATA                       (null_pixels_tdata),
         .null_pixels_TVALID                      (null_pixels_tvalid),
         .null_pixels_TREADY                      (1'b1),
+        .threshold_used_TDATA                    (threshold_used_tdata),
+        .threshold_used_TVALID                   (threshold_used_tvalid),
+        .threshold_used_TREADY                   (1'b1),
+        .difference_out_tap_TDATA                (tap_difference_tdata),
+        .difference_out_tap_TVALID               (tap_difference_tvalid),
+        .difference_out_tap_TREADY               (tap_difference_tready),
+        .motions_tap_TDATA                       (tap_motion_tdata),
+        .motions_tap_TVALID                      (tap_motion_tvalid),
+        .motions_tap_TREADY                      (tap_motion_tready),
+        .blurred_tap_TDATA                       (tap_blurred_tdata),
+        .blurred_tap_TVALID                      (tap_blurred_tvalid),
+        .blurred_tap_TREADY                      (tap_blurred_tready),
+        .region_tap_TDATA                        (tap_region_tdata),
+        .region_tap_TVALID                       (tap_region_tvalid),
+        .region_tap_TREADY                       (tap_region_tready),
         .lines_address0                          (lines_address),
         .lines_ce0                               (lines_enable),
         .lines_q0                                (lines_data),
@@ -386,9 +424,16 @@ module floorline_top #(
         .parameters_rule_min_lines_V             (rule_min_lines)
     );
 
-    always @(posedge aclk)
+    always @(posedge aclk) begin
         if (null_pixels_tvalid)
             null_pixels_reg <= null_pixels_tdata;
+        if (threshold_used_tvalid)
+            threshold_used_reg <= threshold_used_tdata;
+        if (rst) begin
+            null_pixels_reg    <= 24'd0;
+            threshold_used_reg <= 8'd0;
+        end
+    end
 
     line_table #(
         .LOG2_LINES(LOG2_LINES)

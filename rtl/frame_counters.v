@@ -68,6 +68,14 @@ module frame_counters #(
             input_stalls  <= input_stalls_reg;
             output_stalls <= output_stalls_reg;
         end
+        if (rst) begin
+            cycles_reg        <= {WIDTH{1'b0}};
+            input_stalls_reg  <= {WIDTH{1'b0}};
+            output_stalls_reg <= {WIDTH{1'b0}};
+            frame_cycles      <= {WIDTH{1'b0}};
+            input_stalls      <= {WIDTH{1'b0}};
+            output_stalls     <= {WIDTH{1'b0}};
+        end
     end
 
     // Latencies. Up to four frames are between input and points; time_reg runs on, and what belongs to a frame waits in a queue.
@@ -163,6 +171,8 @@ module frame_counters #(
             answered_reg <= 1'b0;
             measure_reg  <= 1'b0;
             ended_reg    <= 1'b0;
+            first_result_latency <= {WIDTH{1'b0}};
+            decision_latency     <= {WIDTH{1'b0}};
         end
     end
 

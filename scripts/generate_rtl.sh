@@ -8,7 +8,7 @@ compiler=build/release/bin/floorline-hlsc
 [ "${1:-}" = --check ] && compiler=$2 || build release floorline-hlsc
 fresh=$(mktemp -d)
 trap 'rm -rf "$fresh"' EXIT
-"$compiler" compile hls/accelerator.cpp --top floorline_accelerator -I hls --std c++11 --target xc6v -o "$fresh/rtl" --report "$fresh/report"
+"$compiler" compile hls/accelerator.cpp --top floorline_accelerator --tap $(cat hls/taps.txt) -I hls --std c++11 --target xc6v -o "$fresh/rtl" --report "$fresh/report"
 
 if [ "${1:-}" = --check ]; then
     diff -rq "$fresh/rtl" rtl/generated || fail "rtl/generated is not what the compiler makes; run ./scripts/generate_rtl.sh and commit the result."

@@ -45,8 +45,8 @@ def bus_type(parent, library, name, version):
     return abstraction
 
 
-def bus_interface(parent, prefix, ports, library, name, version, is_master):
-    """Maps every port PREFIX_xxx to the logical XXX of the bus."""
+def bus_interface(parent, prefix, ports, library, name, version, mode):
+    """Maps every port PREFIX_xxx to the logical XXX of the bus; mode: master, slave, or monitor (of a master)."""
     interface = node(parent, "busInterface")
     node(interface, "name", prefix)
     maps = node(bus_type(interface, library, name, version), "portMaps")
@@ -55,7 +55,9 @@ def bus_interface(parent, prefix, ports, library, name, version, is_master):
             port_map = node(maps, "portMap")
             node(node(port_map, "logicalPort"), "name", port[len(prefix) + 1 :].upper())
             node(node(port_map, "physicalPort"), "name", port)
-    if is_master:
+    if mode == "monitor":
+        node(interface, "monitor", interfaceMode="master")
+    elif mode == "master":
         node(interface, "master")
     else:
         slave = node(interface, "slave")
@@ -135,10 +137,12 @@ def component(register_map):
     for name, text in (("vendor", "floorline"), ("library", "video"), ("name", "floorline_top"), ("version", "0.1.0")):
         node(root, name, text)
     buses = node(root, "busInterfaces")
-    bus_interface(buses, "s_axil", ports, "AMBA4", "AXI4Lite", "r0p0_0", is_master=False)
-    bus_interface(buses, "s_axis_video", ports, "AMBA4", "AXI4Stream", "r0p0_1", is_master=False)
+    bus_interface(buses, "s_axil", ports, "AMBA4", "AXI4Lite", "r0p0_0", "slave")
+    bus_interface(buses, "s_axis_video", ports, "AMBA4", "AXI4Stream", "r0p0_1", "slave")
     for name in ("m_axis_points", "m_axis_obstacles", "m_axis_counts"):
-        bus_interface(buses, name, ports, "AMBA4", "AXI4Stream", "r0p0_1", is_master=True)
+        bus_interface(buses, name, ports, "AMBA4", "AXI4Stream", "r0p0_1", "master")
+    for name in ("tap_difference", "tap_motion", "tap_blurred", "tap_region"):
+        bus_interface(buses, name, ports, "AMBA4", "AXI4Stream", "r0p0_1", "monitor")
     memory_map(node(root, "memoryMaps"), register_map)
     model(root, ports)
     files = node(node(root, "fileSets"), "fileSet")

@@ -6,6 +6,9 @@ content_hash() {
     git ls-files -z -- "$@" | LC_ALL=C sort -z | xargs -0 sha256sum | sha256sum | cut -c1-16
 }
 
+# What the compiler's Verilog depends on.
+compiler_sources=(compiler/frontend compiler/middle compiler/design compiler/schedule compiler/verilog compiler/tool compiler/include rtl/lib hls/compat)
+
 # recorded NAME PATH... -- COMMAND...: the lines that COMMAND prints, from records/NAME.tsv where its first line is the hash of the paths.
 # A command that fails is run again the next time; what it printed is still passed on.
 recorded() {

@@ -50,6 +50,8 @@ class Compilation {
           "'" + result_.top.name + "' is a word of Verilog and cannot name the top; rename it");
     names_.unique(result_.top.name);
     bool is_region = middle.processes.size() > 1;
+    if (!is_region && !options_.taps.empty())
+      throw CompileError("'" + program_.top + "' is a single process: there is no stream inside to tap");
     for (const std::string& function : middle.processes) {
       bool is_top = function == program_.top;
       if (is_top && is_region) continue;
@@ -148,7 +150,7 @@ class Compilation {
                                        : emit_process(head.process, head.schedule, /*has_probes=*/false)});
     std::vector<const Process*> pointers;
     for (const CompiledProcess& compiled : result_.processes) pointers.push_back(&compiled.process);
-    return emit_dataflow_top(result_.top, region, pointers, modes, options_.has_probes);
+    return emit_dataflow_top(result_.top, region, pointers, modes, options_.taps, options_.has_probes);
   }
 
   const CompileOptions& options_;

@@ -20,10 +20,11 @@ using StageObserver =
 struct CompileOptions {
   FrontendOptions frontend;
   std::string target = "xc7";
-  double period = 10;      ///< ns
-  bool strict = false;     ///< The first warning is an error.
-  StageObserver on_stage;  ///< May be empty.
-  bool has_probes = false;  ///< The modules tell a co-simulation what they do (verilog/emit_probes.h).
+  double period = 10;             ///< ns
+  bool strict = false;            ///< The first warning is an error.
+  std::vector<std::string> taps;  ///< Streams between the processes that get outputs to look at them.
+  StageObserver on_stage;         ///< May be empty.
+  bool has_probes = false;        ///< The modules tell a co-simulation what they do (verilog/emit_probes.h).
 };
 
 /// One generated file.

@@ -100,6 +100,7 @@ int main(int argc, char** argv) {
   CLI::App* compile = app.add_subcommand("compile", "compile a top function to Verilog");
   add_compile_options(*compile, options, project);
   compile->add_option("-o,--output", output_dir, "directory for the Verilog files")->capture_default_str();
+  compile->add_option("--tap", options.taps, "a stream between the processes that gets outputs to look at it");
   std::string report_dir;
   compile->add_option("--report", report_dir,
                       "directory for report.txt, .json and .html; default: that of the Verilog files");

@@ -121,7 +121,8 @@ class TopWriter {
     return finished();
   }
 
-  TopModule dataflow(const Region& region, const std::vector<const Process*>& processes) {
+  TopModule dataflow(const Region& region, const std::vector<const Process*>& processes,
+                     const std::vector<std::string>& taps) {
     processes_ = processes;
     if (has_probes_) body_ << probe_imports();
     for (const RegionStream& stream : region.streams) {
@@ -130,6 +131,7 @@ class TopWriter {
       else
         add_fifo(stream);
     }
+    for (const std::string& tap : taps) add_tap(stream_between(region, tap));
     for (const RegionChannel& channel : region.channels)
       if (channel.reader >= 0) add_channel(channel);
     for (const RegionScalar& scalar : region.scalars) declare_region_scalar(scalar);
@@ -275,6 +277,29 @@ class TopWriter {
     fifo(name + "_fifo", stream.width, depth, {name + "_din", name + "_write", name + "_full_n"},
          {name + "_dout", name + "_empty_n", name + "_read"});
     if (has_probes_) body_ << fifo_probe(name, depth);
+  }
+
+  const RegionStream& stream_between(const Region& region, const std::string& name) const {
+    std::string names;
+    for (const RegionStream& stream : region.streams) {
+      if (stream.argument >= 0) continue;
+      if (stream.name == name) return stream;
+      names += (names.empty() ? "" : ", ") + stream.name;
+    }
+    throw CompileError("'" + top_.name + "' has no stream '" + name +
+                       "' between its processes to tap; it has " + (names.empty() ? "none" : names));
+  }
+
+  void add_tap(const RegionStream& stream) {
+    const std::string& name = stream.name;
+    unsigned padded = (stream.width + 7) / 8 * 8;
+    port("output", padded, name + "_tap_TDATA");
+    port("output", 1, name + "_tap_TVALID");
+    port("output", 1, name + "_tap_TREADY");
+    body_ << "\n    // " << name << ": what its reader sees\n    assign " << name
+          << "_tap_TDATA = " << resized_text(name + "_dout", stream.width, false, padded) << ";\n    assign "
+          << name << "_tap_TVALID = " << name << "_empty_n;\n    assign " << name << "_tap_TREADY = " << name
+          << "_read;\n";
   }
 
   static std::string member_name(const RegionChannel& channel, uint64_t byte_offset) {
@@ -754,8 +779,8 @@ TopModule emit_single_top(const FunctionInfo& top, const Process& process, const
 
 TopModule emit_dataflow_top(const FunctionInfo& top, const Region& region,
                             const std::vector<const Process*>& processes, const PortModes& modes,
-                            bool has_probes) {
-  return TopWriter(top, modes, has_probes).dataflow(region, processes);
+                            const std::vector<std::string>& taps, bool has_probes) {
+  return TopWriter(top, modes, has_probes).dataflow(region, processes, taps);
 }
 
 }  // namespace hlsc

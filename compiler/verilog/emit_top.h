@@ -35,10 +35,14 @@ TopModule emit_single_top(const FunctionInfo& top, const Process& process, const
 
 /// A dataflow region. A start of the region puts the scalars of the run into a FIFO before each instance; an
 /// instance runs when its FIFO holds a start and its streams allow, so the first may be runs ahead of the
-/// last. The region is done when all instances are. `has_probes` as in emit_process.
+/// last. The region is done when all instances are.
+///
+/// A stream that `taps` names has outputs NAME_tap_TDATA, _TVALID and _TREADY besides: what its reader sees.
+/// An element passes in every cycle in which both are 1; nothing waits for who looks at it. Throws
+/// CompileError for a name that no stream between the processes has. `has_probes` as in emit_process.
 TopModule emit_dataflow_top(const FunctionInfo& top, const Region& region,
                             const std::vector<const Process*>& processes, const PortModes& modes,
-                            bool has_probes);
+                            const std::vector<std::string>& taps, bool has_probes);
 
 }  // namespace hlsc
 

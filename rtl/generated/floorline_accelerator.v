@@ -15,6 +15,9 @@ module floorline_accelerator (
     output wire [23:0] null_pixels_TDATA,
     output wire null_pixels_TVALID,
     input wire null_pixels_TREADY,
+    output wire [7:0] threshold_used_TDATA,
+    output wire threshold_used_TVALID,
+    input wire threshold_used_TREADY,
     output wire [23:0] counts_TDATA,
     output wire counts_TVALID,
     input wire counts_TREADY,
@@ -24,6 +27,18 @@ module floorline_accelerator (
     output wire [103:0] obstacles_TDATA,
     output wire obstacles_TVALID,
     input wire obstacles_TREADY,
+    output wire [7:0] difference_out_tap_TDATA,
+    output wire difference_out_tap_TVALID,
+    output wire difference_out_tap_TREADY,
+    output wire [7:0] motions_tap_TDATA,
+    output wire motions_tap_TVALID,
+    output wire motions_tap_TREADY,
+    output wire [7:0] blurred_tap_TDATA,
+    output wire blurred_tap_TVALID,
+    output wire blurred_tap_TREADY,
+    output wire [7:0] region_tap_TDATA,
+    output wire region_tap_TVALID,
+    output wire region_tap_TREADY,
     input wire [11:0] parameters_width_V,
     input wire [11:0] parameters_height_V,
     input wire parameters_grey_V,
@@ -249,6 +264,25 @@ module floorline_accelerator (
         .m_ready(binary_read)
     );
 
+    // threshold_used: AXI4-Stream
+    wire [7:0] threshold_used_axis_data;
+    assign threshold_used_TDATA = threshold_used_axis_data;
+    wire [7:0] threshold_used_din;
+    wire threshold_used_full_n, threshold_used_write;
+    fifo #(
+        .WIDTH(8),
+        .DEPTH(1)
+    ) threshold_used_register (
+        .clk(ap_clk),
+        .rst(rst),
+        .s_data(threshold_used_din),
+        .s_valid(threshold_used_write),
+        .s_ready(threshold_used_full_n),
+        .m_data(threshold_used_axis_data),
+        .m_valid(threshold_used_TVALID),
+        .m_ready(threshold_used_TREADY)
+    );
+
     // eroded: 2 x 2
     wire [1:0] eroded_din, eroded_dout;
     wire eroded_full_n, eroded_write, eroded_empty_n, eroded_read;
@@ -390,6 +424,26 @@ module floorline_accelerator (
         .m_valid(obstacles_TVALID),
         .m_ready(obstacles_TREADY)
     );
+
+    // difference_out: what its reader sees
+    assign difference_out_tap_TDATA = difference_out_dout;
+    assign difference_out_tap_TVALID = difference_out_empty_n;
+    assign difference_out_tap_TREADY = difference_out_read;
+
+    // motions: what its reader sees
+    assign motions_tap_TDATA = {6'd0, motions_dout};
+    assign motions_tap_TVALID = motions_empty_n;
+    assign motions_tap_TREADY = motions_read;
+
+    // blurred: what its reader sees
+    assign blurred_tap_TDATA = blurred_dout;
+    assign blurred_tap_TVALID = blurred_empty_n;
+    assign blurred_tap_TREADY = blurred_read;
+
+    // region: what its reader sees
+    assign region_tap_TDATA = {6'd0, region_dout};
+    assign region_tap_TVALID = region_empty_n;
+    assign region_tap_TREADY = region_read;
 
     // Scalars of a run, taken when it starts.
     wire [11:0] luma_width;
@@ -805,6 +859,9 @@ module floorline_accelerator (
         .out_din(binary_din),
         .out_full_n(binary_full_n),
         .out_write(binary_write),
+        .threshold_used_din(threshold_used_din),
+        .threshold_used_full_n(threshold_used_full_n),
+        .threshold_used_write(threshold_used_write),
         .width(binarize_scalars[11:0]),
         .height(binarize_scalars[23:12]),
         .parameters_floor_V(binarize_scalars[31:24]),

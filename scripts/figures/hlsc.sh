@@ -30,8 +30,7 @@ run messages compiler/test/warned
 figure hlsc.warned_failures "$failed" '<=' 0
 
 # What a random program's outcome depends on.
-version=$(content_hash compiler/frontend compiler/middle compiler/design compiler/schedule compiler/verilog compiler/tool compiler/include \
-    compiler/differential rtl/lib hls/compat)
+version=$(content_hash "${compiler_sources[@]}" compiler/differential)
 record=records/fuzz.hlsc.tsv
 if [ -z "${HLSC_FUZZ_PROGRAMS:-}" ] && [ -f "$record" ] && [ "$(head -1 "$record")" = "$version" ]; then
     IFS=$'\t' read -r programs mismatches crashes < <(tail -1 "$record")

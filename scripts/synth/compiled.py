@@ -51,8 +51,9 @@ def verilog(target, size):
     folder.mkdir(parents=True, exist_ok=True)
     if not COMPILER.exists():
         fail("the compiler is not built; run 'cmake --preset release' and 'ninja -C build/release floorline-hlsc'.")
-    done = subprocess.run([COMPILER, "compile", source(size, folder), "--top", "floorline_accelerator", "-I", ROOT / "hls", "--std", "c++11",
-                           "--target", family, "--clock", period, "--strict", "-o", folder / "rtl", "--report", folder / "report"],
+    taps = (ROOT / "hls/taps.txt").read_text().split()
+    done = subprocess.run([COMPILER, "compile", source(size, folder), "--top", "floorline_accelerator", "--tap", *taps, "-I", ROOT / "hls",
+                           "--std", "c++11", "--target", family, "--clock", period, "--strict", "-o", folder / "rtl", "--report", folder / "report"],
                           cwd=ROOT, capture_output=True, text=True)
     if done.returncode:
         fail(f"the compiler refuses {size[0]}x{size[1]} for {target}: {done.stderr.strip()}")

@@ -95,10 +95,11 @@ int main() {
     hls::stream<Obstacle> obstacles("obstacles");
     hls::stream<LineCount> counts("counts");
     hls::stream<ap_uint<24> > null_pixels("null_pixels");
+    hls::stream<Pixel> threshold_used("threshold_used");
     for (int v = 0; v < HEIGHT; ++v)
       for (int u = 0; u < WIDTH; ++u) pixels.write(pixel_at(u, v, frame));
     const FrameParameters parameters = frame_parameters();
-    floorline_accelerator(pixels, points, obstacles, counts, null_pixels, parameters, lines);
+    floorline_accelerator(pixels, points, obstacles, counts, null_pixels, threshold_used, parameters, lines);
 
     bool at_foot = false;
     const int found = check_points(points, frame, at_foot);
@@ -123,6 +124,8 @@ int main() {
     expect(ended, "the obstacles have no end element", frame);
     const unsigned nulls = null_pixels.read().to_uint();
     expect(frame == 0 ? nulls == WIDTH * HEIGHT : nulls < WIDTH * HEIGHT / 4, "wrong number of null pixels",
+           frame);
+    expect(threshold_used.read() == parameters.threshold.override_high, "another threshold than asked for",
            frame);
   }
   std::printf(failures == 0 ? "passed\n" : "failed\n");

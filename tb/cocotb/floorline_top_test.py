@@ -10,7 +10,7 @@ from cocotb.clock import Clock
 from cocotb.triggers import ClockCycles
 from cocotbext.axi import AxiLiteBus, AxiLiteMaster, AxiStreamBus, AxiStreamFrame, AxiStreamSink, AxiStreamSource
 
-CONTROL, UPDATE, NULL_PIXELS = 0x00C, 0x010, 0x03C
+CONTROL, UPDATE, NULL_PIXELS, THRESHOLD_USED = 0x00C, 0x010, 0x03C, 0x040
 STREAMS = ("points", "obstacles", "counts")
 
 
@@ -73,6 +73,7 @@ async def run(dut, with_pauses):
             assert list(packet.tdata) == [int(element, 16) for element in frame[name]], name
             assert set(packet.tuser) == {0}, f"{name} are marked malformed"
         assert await bench.read(NULL_PIXELS) == frame["null_pixels"]
+        assert await bench.read(THRESHOLD_USED) == frame["threshold_used"]
         assert await bench.read(UPDATE) == 0
 
 

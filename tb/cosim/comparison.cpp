@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <bit>
+#include <opencv2/core.hpp>
+
+#include "golden/displacement.h"
 
 namespace floorline::cosim {
 namespace {
@@ -20,17 +23,34 @@ std::vector<PackedElement> packet(const std::vector<Element>& elements) {
   return packed;
 }
 
+/// As the stream has them, from the golden model's grey levels.
+cv::Mat motions(const cv::Mat& grey) {
+  cv::Mat codes = cv::Mat::zeros(1, 256, CV_8UC1), motions;
+  codes.at<uchar>(golden::rests) = RESTS;
+  codes.at<uchar>(golden::stirs) = STIRS;
+  codes.at<uchar>(golden::unknown_motion) = UNKNOWN;
+  codes.at<uchar>(golden::moves) = MOVES;
+  cv::LUT(grey, codes, motions);
+  return motions;
+}
+
 std::string hexadecimal(const PackedElement& e) {
   return fmt::format("{:08x}{:08x}{:08x}{:08x}", e[3], e[2], e[1], e[0]);
 }
 
 }  // namespace
 
-ExpectedFrame::ExpectedFrame(const FrameOutput& output)
-    : points(packet(output.points)),
-      obstacles(packet(output.obstacles)),
-      counts(packet(output.counts)),
-      null_pixels(static_cast<std::uint32_t>(output.null_pixels)) {}
+ExpectedFrame::ExpectedFrame(CSimulation& csim, const cv::Mat& image, const FrameParameters& parameters,
+                             const std::vector<LineSetup>& lines) {
+  StageCapture stages;
+  const FrameOutput output = csim.run(image, parameters, lines, &stages);
+  points = packet(output.points);
+  obstacles = packet(output.obstacles);
+  counts = packet(output.counts);
+  taps = {stages.difference, motions(stages.motion), stages.blurred, stages.region};
+  status = {static_cast<std::uint32_t>(output.null_pixels),
+            static_cast<std::uint32_t>(output.threshold_used)};
+}
 
 long compare(const char* stream, const std::vector<PackedElement>& expected, bool malformed,
              const Packet& got, std::string& first) {
@@ -48,6 +68,37 @@ long compare(const char* stream, const std::vector<PackedElement>& expected, boo
   }
   if (malformed != got.malformed && first.empty()) {
     first = fmt::format("{} are {}marked malformed", stream, got.malformed ? "" : "not ");
+  }
+  return bits;
+}
+
+namespace {
+
+long compare_tap(const char* name, const cv::Mat& expected, std::vector<std::uint8_t>& got,
+                 std::string& first) {
+  constexpr long kElementBits = 8;
+  const std::size_t count = expected.total(), compared = std::min(count, got.size());
+  long bits = kElementBits * static_cast<long>(count - compared);
+  if (bits != 0 && first.empty()) first = fmt::format("tap {} has {} elements of {}", name, compared, count);
+  for (std::size_t i = 0; i < compared; ++i) {
+    const std::uint8_t want = expected.data[i];
+    if (got[i] == want) continue;
+    bits += std::popcount(static_cast<std::uint8_t>(got[i] ^ want));
+    if (first.empty()) {
+      first = fmt::format("tap {} at column {}, row {} is {}, the C simulation has {}", name,
+                          i % expected.cols, i / expected.cols, got[i], want);
+    }
+  }
+  got.erase(got.begin(), got.begin() + static_cast<std::ptrdiff_t>(compared));
+  return bits;
+}
+
+}  // namespace
+
+long compare_taps(const ExpectedFrame& expected, TapElements& got, std::string& first) {
+  long bits = 0;
+  for (std::size_t i = 0; i < kTapNames.size(); ++i) {
+    bits += compare_tap(kTapNames[i], expected.taps[i], got[i], first);
   }
   return bits;
 }

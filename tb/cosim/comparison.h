@@ -2,29 +2,49 @@
 #ifndef FLOORLINE_TB_COSIM_COMPARISON_H
 #define FLOORLINE_TB_COSIM_COMPARISON_H
 
+#include <array>
 #include <cstdint>
+#include <opencv2/core.hpp>
 #include <string>
 #include <vector>
 
+#include "host/driver.h"
 #include "host/packing.h"
 #include "tb/cosim/axi_stream.h"
+#include "tb/cosim/top.h"
 #include "tb/csim/csim.h"
 
 namespace floorline::cosim {
 
-/// A frame's results as the core must send them: elements packed, each stream with the one that ends it.
+/// The registers that say something of the frame itself.
+struct FrameStatus {
+  std::uint32_t null_pixels, threshold_used;
+
+  bool operator==(const FrameStatus&) const = default;
+};
+
+inline FrameStatus status(const HardwareCounters& counters) {
+  return {counters.null_pixels, counters.threshold_used};
+}
+
+/// What the C simulation has for a frame, as the core must send it: elements packed, each stream with the one
+/// that ends it; what passes on each tap (CV_8UC1).
 struct ExpectedFrame {
-  explicit ExpectedFrame(const FrameOutput& output);
+  ExpectedFrame(CSimulation& csim, const cv::Mat& image, const FrameParameters& parameters,
+                const std::vector<LineSetup>& lines);
 
   std::vector<PackedElement> points, obstacles, counts;
-  std::uint32_t null_pixels;
-  bool malformed = false;
+  std::array<cv::Mat, kTapNames.size()> taps;
+  FrameStatus status;
 };
 
 /// Differing bits of a stream; an element that one side lacks counts as a whole, the mark of a malformed
 /// frame as one bit. The first difference is put into words in `first`, unless it says something already.
 long compare(const char* stream, const std::vector<PackedElement>& expected, bool malformed,
              const Packet& got, std::string& first);
+
+/// The same for every tap. Takes the frame's elements out of `got`.
+long compare_taps(const ExpectedFrame& expected, TapElements& got, std::string& first);
 
 }  // namespace floorline::cosim
 

@@ -77,9 +77,9 @@ class Session {
 
   ExpectedFrame simulate(const FrameInput& input) {
     const auto start = Clock::now();
-    const FrameOutput output = csim_.run(input.image, input.parameters, input.lines);
+    ExpectedFrame expected(csim_, input.image, input.parameters, input.lines);
     csim_seconds_ += seconds(start);
-    return ExpectedFrame(output);
+    return expected;
   }
 
   /// Waits for the results of the frame that was sent last but one row ago, and compares.
@@ -97,6 +97,8 @@ class Session {
     verdict.point_count = expected_->points.size() - 1;
     verdict.obstacle_count = expected_->obstacles.size() - 1;
     verdict.line_count = expected_->counts.size();
+    for (const cv::Mat& tap : expected_->taps) verdict.tap_count += tap.total();
+    verdict.taps = compare_taps(*expected_, top_.taps(), verdict.first_difference);
     verdict.points = take("points", expected_->points, top_.points());
     verdict.obstacles = take("obstacles", expected_->obstacles, top_.obstacles());
     verdict.counts = take("counts", expected_->counts, top_.counts());
@@ -108,14 +110,16 @@ class Session {
   void compare_registers(FrameVerdict& verdict) {
     verdict.counters = driver_.counters();
     const std::uint32_t faults = driver_.take_events() & kFaultEvents;
-    verdict.registers = std::popcount(verdict.counters.null_pixels ^ expected_->null_pixels) +
+    verdict.registers = std::popcount(verdict.counters.null_pixels ^ expected_->status.null_pixels) +
+                        std::popcount(verdict.counters.threshold_used ^ expected_->status.threshold_used) +
                         std::popcount(verdict.counters.malformed_frames) +
                         std::popcount(verdict.counters.dropped_frames) + std::popcount(faults);
     if (verdict.registers && verdict.first_difference.empty()) {
       verdict.first_difference = fmt::format(
-          "NULL_PIXELS is {}, the C simulation has {}; {} malformed and {} dropped frames, "
-          "fault events {:#x}",
-          verdict.counters.null_pixels, expected_->null_pixels, verdict.counters.malformed_frames,
+          "NULL_PIXELS is {}, the C simulation has {}; THRESHOLD_USED {} and {}; {} malformed and {} dropped "
+          "frames, fault events {:#x}",
+          verdict.counters.null_pixels, expected_->status.null_pixels, verdict.counters.threshold_used,
+          expected_->status.threshold_used, verdict.counters.malformed_frames,
           verdict.counters.dropped_frames, faults);
     }
     const std::size_t frame = result_.frames.size();

@@ -32,17 +32,20 @@ struct FrameVerdict {
   long points = 0;
   long obstacles = 0;
   long counts = 0;
-  long registers = 0;            ///< NULL_PIXELS, MALFORMED_FRAMES, DROPPED_FRAMES and the fault events.
+  long taps = 0;
+  long registers =
+      0;  ///< NULL_PIXELS, THRESHOLD_USED, MALFORMED_FRAMES, DROPPED_FRAMES and the fault events.
   std::string first_difference;  ///< In words; empty when there is none.
   std::size_t point_count = 0;   ///< Elements that were compared, for a reader to see that there were some.
   std::size_t obstacle_count = 0;
   std::size_t line_count = 0;
+  std::size_t tap_count = 0;
   HardwareCounters counters = {};  ///< Read when the frame's results had left.
   std::optional<std::uint32_t>
       cycles;  ///< FRAME_CYCLES of this frame; known when the next one started in time.
   std::vector<ChannelCounts> channels;  ///< From the results of the frame before to its own.
 
-  long differences() const { return points + obstacles + counts + registers; }
+  long differences() const { return points + obstacles + counts + taps + registers; }
 };
 
 struct Job {

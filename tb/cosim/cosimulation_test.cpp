@@ -8,10 +8,6 @@
 namespace floorline::cosim {
 namespace {
 
-std::string name(Stalls stalls) {
-  return stalls == Stalls::none ? "none" : stalls == Stalls::light ? "light" : "heavy";
-}
-
 /// Expects no difference; tells the first one and where its waves are.
 Result expect_equal(Job job) {
   const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
@@ -36,15 +32,10 @@ TEST_P(Cosimulation, ParametersChangeFromFrameToFrame) {
   constexpr int kFrames = 60;
   constexpr std::uint64_t kSeed = 5;
   RandomFrames random(kSeed);
-  cv::Size size;
-  std::vector<LineSetup> lines;
   const auto frame = [&](int index) {
     if (index == 0) random = RandomFrames(kSeed);
-    if (index == 0 || random.chance(0.15)) {
-      size = random.size({96, 64});
-      lines = random.lines(size);
-    }
-    return FrameInput{random.image(size), random.parameters(size), lines};
+    if (index == 0 || random.chance(0.15)) random.begin_scene(random.size({96, 64}));
+    return random.next();
   };
   const Result result = expect_equal({{640, 480}, kFrames, frame, GetParam(), kSeed, {}, {}});
   std::size_t points = 0;

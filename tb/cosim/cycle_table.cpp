@@ -37,12 +37,12 @@ FrameParameters parameters(cv::Size size) {
 }
 
 /// As many lines as the polar engine walks at this width, at most the default number of host/parameters.h.
-std::vector<LineSetup> lines(cv::Size size) {
+std::vector<LineSetup> lines(cv::Size size, int last_row) {
   constexpr int kLessThanWidth = 16, kMost = 256;
   const int count = std::min(kMost, size.width - kLessThanWidth);
   if (count < 1) return {};
   const Eigen::Vector3d focus(size.width / 2.0, 4.0 * size.height, 1);
-  return line_table(beam_lines({focus, size, 0, size.height - 1, count}), size);
+  return line_table(beam_lines({focus, size, 0, last_row, count}), size);
 }
 
 /// Boxes on a flat floor, which jump from frame to frame; the last one stands in the last rows.
@@ -58,24 +58,34 @@ cv::Mat scene(cv::Size size, int frame) {
 
 }  // namespace
 
-const std::vector<cv::Size>& measured_sizes() {
-  static const std::vector<cv::Size> sizes = {{16, 16},   {17, 19},   {33, 16},   {64, 48},  {161, 121},
-                                              {320, 240}, {640, 120}, {639, 479}, {640, 480}};
-  return sizes;
+const std::vector<CycleCase>& cycle_cases() {
+  static const std::vector<CycleCase> cases = {
+      {{16, 16}, Stalls::none},    {{17, 19}, Stalls::none},   {{33, 16}, Stalls::none},
+      {{64, 48}, Stalls::none},    {{161, 121}, Stalls::none}, {{320, 240}, Stalls::none},
+      {{640, 120}, Stalls::none},  {{639, 479}, Stalls::none}, {{640, 480}, Stalls::none},
+      {{1280, 384}, Stalls::none}, {{64, 48}, Stalls::light},  {{161, 121}, Stalls::heavy}};
+  return cases;
 }
 
-CycleRow measure_cycles(cv::Size size) {
+CycleRow measure_cycles(cv::Size size, Stalls stalls) {
   constexpr std::uint32_t kFrames = 4;  // The third is steady: frames before and after it.
-  Top top(configuration_for(size), Stalls::none, 0);
+  Top top(configuration_for(size), stalls, 0);
   Driver driver(top);
-  driver.prepare(parameters(size), lines(size));
+  const int last_row = size.height - 1 - (stalls == Stalls::none ? 0 : size.height / 8);
+  driver.prepare(parameters(size), lines(size, last_row));
   driver.enable(true);
   for (std::uint32_t i = 0; i < kFrames; ++i) {
     queue_video(scene(size, static_cast<int>(i)), 0, size.height, top.video().queue);
   }
   top.run_until([&] { return top.obstacles().packets.size() == kFrames; });
   const HardwareCounters counters = driver.counters();
-  return {size, counters.frame_cycles, counters.first_result_latency, counters.decision_latency};
+  return {size,
+          stalls,
+          counters.frame_cycles,
+          counters.input_stalls,
+          counters.output_stalls,
+          counters.first_result_latency,
+          counters.decision_latency};
 }
 
 }  // namespace floorline::cosim

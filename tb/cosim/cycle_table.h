@@ -1,4 +1,4 @@
-/// Cycles of a frame by its size, from the core's own counters, on frames back to back and without stalls.
+/// Cycles of a frame by its size and stalls, from the core's own counters, on frames back to back.
 #ifndef FLOORLINE_TB_COSIM_CYCLE_TABLE_H
 #define FLOORLINE_TB_COSIM_CYCLE_TABLE_H
 
@@ -7,23 +7,35 @@
 #include <opencv2/core/types.hpp>
 #include <vector>
 
+#include "tb/cosim/stalls.h"
+
 namespace floorline::cosim {
 
 /// Registers of docs/registers.md, in cycles.
 struct CycleRow {
   cv::Size size;
+  Stalls stalls;
   std::uint32_t frame_cycles;
+  std::uint32_t input_stalls;
+  std::uint32_t output_stalls;
   std::uint32_t first_result_latency;
   std::uint32_t decision_latency;
 
   bool operator==(const CycleRow&) const = default;
 };
 
-/// From the least size to the greatest, odd ones too.
-const std::vector<cv::Size>& measured_sizes();
+/// What is measured.
+struct CycleCase {
+  cv::Size size;
+  Stalls stalls;
+};
 
-/// The same for the same RTL: frames and parameters are fixed.
-CycleRow measure_cycles(cv::Size size);
+/// From the least size to the greatest, odd ones too; some under stalls.
+const std::vector<CycleCase>& cycle_cases();
+
+/// The same for the same RTL: frames, parameters and stalls are fixed. Under stalls the lines end above the
+/// last row, so that some contacts are told before the row that would decide them.
+CycleRow measure_cycles(cv::Size size, Stalls stalls);
 
 }  // namespace floorline::cosim
 

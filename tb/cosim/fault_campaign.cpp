@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "rtl/floorline_registers.h"
-#include "tb/cosim/comparison.h"
 #include "tb/cosim/video.h"
 
 namespace floorline::cosim {
@@ -238,15 +237,15 @@ void FaultCampaign::access_registers() {
   }
 }
 
-/// Every frame that entered the core; returns the last one's null pixels.
-std::uint32_t FaultCampaign::check_frames() {
-  std::uint32_t null_pixels = 0;
-  for (const GuardModel::Frame& frame : guard_->take_frames()) null_pixels = check_frame(frame);
-  return null_pixels;
+/// Every frame that entered the core; returns what the last one's registers must hold.
+FrameStatus FaultCampaign::check_frames() {
+  FrameStatus last = {};
+  for (const GuardModel::Frame& frame : guard_->take_frames()) last = check_frame(frame);
+  return last;
 }
 
 /// Broken frames hold what the guard made of them. A broken reference counts as none.
-std::uint32_t FaultCampaign::check_frame(const GuardModel::Frame& frame) {
+FrameStatus FaultCampaign::check_frame(const GuardModel::Frame& frame) {
   Prepared run = running_.front();
   running_.pop_front();
   if (reference_lost_) {
@@ -254,7 +253,7 @@ std::uint32_t FaultCampaign::check_frame(const GuardModel::Frame& frame) {
     map.zu = map.zv = map.z1 = 0;
   }
   if (run.parameters.replace_reference) reference_lost_ = frame.malformed;
-  const ExpectedFrame expected(csim_->run(image_of(frame, run.parameters.grey), run.parameters, run.lines));
+  const ExpectedFrame expected(*csim_, image_of(frame, run.parameters.grey), run.parameters, run.lines);
 
   std::string first;
   long bits = 0;
@@ -266,23 +265,26 @@ std::uint32_t FaultCampaign::check_frame(const GuardModel::Frame& frame) {
   take("points", expected.points, top_.points());
   take("obstacles", expected.obstacles, top_.obstacles());
   take("counts", expected.counts, top_.counts());
+  bits += compare_taps(expected, top_.taps(), first);
   if (bits != 0) tell(tally_.wrong_frames, first);
-  return expected.null_pixels;
+  return expected.status;
 }
 
-void FaultCampaign::check_counters(std::uint32_t null_pixels) {
+void FaultCampaign::check_counters(FrameStatus expected) {
   const HardwareCounters counters = driver_->counters();
   const std::uint32_t events = driver_->take_events() & ~kNotFaults, expected_events = guard_->take_events();
   if (counters.frames == guard_->started() && counters.malformed_frames == guard_->malformed() &&
-      counters.dropped_frames == guard_->dropped() && counters.null_pixels == null_pixels &&
+      counters.dropped_frames == guard_->dropped() && status(counters) == expected &&
       events == expected_events) {
     return;
   }
   tell(tally_.uncounted,
        fmt::format(
-           "{} frames, {} malformed, {} dropped, {} null pixels, events {:#x}; must be {}, {}, {}, {}, {:#x}",
-           counters.frames, counters.malformed_frames, counters.dropped_frames, counters.null_pixels, events,
-           guard_->started(), guard_->malformed(), guard_->dropped(), null_pixels, expected_events));
+           "{} frames, {} malformed, {} dropped, {} null pixels, threshold {}, events {:#x}; "
+           "must be {}, {}, {}, {}, {}, {:#x}",
+           counters.frames, counters.malformed_frames, counters.dropped_frames, counters.null_pixels,
+           counters.threshold_used, events, guard_->started(), guard_->malformed(), guard_->dropped(),
+           expected.null_pixels, expected.threshold_used, expected_events));
 }
 
 }  // namespace floorline::cosim

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "host/driver.h"
+#include "tb/cosim/comparison.h"
 #include "tb/cosim/guard_model.h"
 #include "tb/cosim/random_frames.h"
 #include "tb/cosim/top.h"
@@ -69,9 +70,9 @@ class FaultCampaign {
   void wait_for_starts();
   void let_pixels_through();
   void start_anew();
-  std::uint32_t check_frames();
-  std::uint32_t check_frame(const GuardModel::Frame& frame);
-  void check_counters(std::uint32_t null_pixels);
+  FrameStatus check_frames();
+  FrameStatus check_frame(const GuardModel::Frame& frame);
+  void check_counters(FrameStatus expected);
   void tell(int& count, const std::string& what);
 
   RandomFrames random_;

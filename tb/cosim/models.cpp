@@ -20,13 +20,15 @@ class CountedTop final : public VerilatedTop<Verilated> {
     return moved;
   }
 
-  std::vector<ChannelCounts> take_channels() override { return std::exchange(channels_, kNone); }
+  std::vector<ChannelCounts> take_channels() override { return std::exchange(channels_, {}); }
 
  private:
   void count() {
     const auto& root = *this->verilated().rootp;
     std::size_t next = 0;
-    const auto hold = [&](std::uint32_t words, bool not_empty, bool not_full) {
+    const auto hold = [&](const char* name, std::uint32_t depth, std::uint32_t words, bool not_empty,
+                          bool not_full) {
+      if (next == channels_.size()) channels_.push_back({name, depth, 0, 0, 0, 0});
       ChannelCounts& channel = channels_[next++];
       ++channel.cycles;
       channel.empty += !not_empty;
@@ -35,26 +37,29 @@ class CountedTop final : public VerilatedTop<Verilated> {
     };
 #define FIFO(name, part) root.floorline_top__DOT__core__DOT__##name##_fifo__DOT__##part
 #define PAIR(name, part) FIFO(name, registers__DOT__pair__DOT__##part)
-#define HOLD_PAIR(name)                                                                          \
-  hold(PAIR(name, output_valid_reg) + !PAIR(name, spare_free_reg), PAIR(name, output_valid_reg), \
+#define HOLD_PAIR(name)                                                                                    \
+  hold(#name, 2, PAIR(name, output_valid_reg) + !PAIR(name, spare_free_reg), PAIR(name, output_valid_reg), \
        PAIR(name, spare_free_reg))
-#define HOLD_REGISTER(name)                                                        \
-  hold(FIFO(name, register__DOT__valid_reg), FIFO(name, register__DOT__valid_reg), \
+#define HOLD_REGISTER(name)                                                                  \
+  hold(#name, 1, FIFO(name, register__DOT__valid_reg), FIFO(name, register__DOT__valid_reg), \
        !FIFO(name, register__DOT__valid_reg))
-#define HOLD_RAM(name)                                                            \
-  hold(FIFO(name, ram__DOT__stored_reg) + FIFO(name, ram__DOT__output_valid_reg), \
+#define HOLD_RAM(name, depth)                                                                   \
+  hold(#name, depth, FIFO(name, ram__DOT__stored_reg) + FIFO(name, ram__DOT__output_valid_reg), \
        FIFO(name, ram__DOT__output_valid_reg), FIFO(name, ram__DOT__not_full_reg))
     HOLD_PAIR(luma_out);
     HOLD_PAIR(pairs);
     HOLD_PAIR(difference_out);
+    HOLD_PAIR(changes);
+    HOLD_RAM(motions, 4096);
     HOLD_PAIR(blurred);
     HOLD_PAIR(measured);
+    HOLD_PAIR(thresholds);
     HOLD_PAIR(binary);
     HOLD_PAIR(eroded);
     HOLD_PAIR(region);
-    HOLD_RAM(contacts);
+    HOLD_RAM(contacts, 64);
     HOLD_REGISTER(floor_points);
-    HOLD_RAM(candidates);
+    HOLD_RAM(candidates, 16);
 #undef HOLD_RAM
 #undef HOLD_REGISTER
 #undef HOLD_PAIR
@@ -62,12 +67,7 @@ class CountedTop final : public VerilatedTop<Verilated> {
 #undef FIFO
   }
 
-  static inline const std::vector<ChannelCounts> kNone = {
-      {"luma_out", 2, 0, 0, 0, 0},     {"pairs", 2, 0, 0, 0, 0},      {"difference_out", 2, 0, 0, 0, 0},
-      {"blurred", 2, 0, 0, 0, 0},      {"measured", 2, 0, 0, 0, 0},   {"binary", 2, 0, 0, 0, 0},
-      {"eroded", 2, 0, 0, 0, 0},       {"region", 2, 0, 0, 0, 0},     {"contacts", 64, 0, 0, 0, 0},
-      {"floor_points", 2, 0, 0, 0, 0}, {"candidates", 16, 0, 0, 0, 0}};
-  std::vector<ChannelCounts> channels_ = kNone;
+  std::vector<ChannelCounts> channels_;
 };
 
 }  // namespace

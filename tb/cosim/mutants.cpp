@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <optional>
 #include <set>
 
@@ -28,18 +29,13 @@ class MutantTop final : public VerilatedTop<Vfloorline_top_mutants> {
 
 using Finding = std::optional<std::string>;
 
-/// Frames whose size, lines and parameters change every fourth frame.
-Finding by_frames(int frames, cv::Size largest, Stalls stalls) {
+/// Scenes of four frames of sizes from `size()`.
+Finding by_frames(int frames, const std::function<cv::Size(RandomFrames&)>& size, Stalls stalls) {
   constexpr std::uint64_t kSeed = 21;
   RandomFrames random(kSeed);
-  cv::Size size;
-  std::vector<LineSetup> lines;
   const auto frame = [&](int index) {
-    if (index % 4 == 0) {
-      size = random.size(largest);
-      lines = random.lines(size);
-    }
-    return FrameInput{random.image(size), random.parameters(size), lines};
+    if (index % 4 == 0) random.begin_scene(size(random));
+    return random.next();
   };
   const Result result = cosimulate({{640, 480}, frames, frame, stalls, kSeed, {}, {}});
   for (const FrameVerdict& verdict : result.frames) {
@@ -59,20 +55,24 @@ Finding by_faults(Stalls stalls) {
 
 std::vector<CycleRow> cycle_rows() {
   std::vector<CycleRow> rows;
-  for (const cv::Size size : {cv::Size(64, 48), cv::Size(320, 96)}) rows.push_back(measure_cycles(size));
+  for (const CycleCase& some : cycle_cases()) {
+    if (some.size.area() < 160 * 128) rows.push_back(measure_cycles(some.size, some.stalls));
+  }
   return rows;
 }
 
 /// The bench from its cheapest part on, up to the first that finds something.
 Finding find(const std::vector<CycleRow>& right_cycles) {
   try {
+    const auto small = [](RandomFrames& random) { return random.size({128, 80}); };
     for (const Stalls stalls : {Stalls::none, Stalls::heavy}) {
-      if (const Finding frames = by_frames(96, {128, 80}, stalls)) return frames;
+      if (const Finding frames = by_frames(160, small, stalls)) return frames;
       if (const Finding faults = by_faults(stalls)) return faults;
     }
-    // Sums of large frames fill more bits.
-    if (const Finding frames = by_frames(12, {480, 320}, Stalls::none)) return frames;
     if (cycle_rows() != right_cycles) return "the table of cycles differs";
+    // Sums and rows of the largest frames fill every bit.
+    const auto largest = [](RandomFrames&) { return cv::Size(640, 480); };
+    if (const Finding frames = by_frames(24, largest, Stalls::none)) return frames;
   } catch (const std::runtime_error& error) {  // A hang, a broken rule of AXI, a refused register.
     return error.what();
   }

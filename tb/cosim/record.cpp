@@ -44,22 +44,17 @@ void print_faults() {
   print("faults_uncounted", sum.uncounted, false, 0);
 }
 
-/// Small frames, of which every parameter, size and line table changes at random.
+/// Small frames of random scenes.
 void print_soak() {
   constexpr int kFrames = 10000;
   RandomFrames random(0);
-  cv::Size size;
-  std::vector<LineSetup> lines;
   Job job;
   job.largest_frame = {640, 480};
   job.frame_count = kFrames;
   job.frame = [&](int index) {
     if (index == 0) random = RandomFrames(99);
-    if (index == 0 || random.chance(0.1)) {
-      size = random.size({64, 48});
-      lines = random.lines(size);
-    }
-    return FrameInput{random.image(size), random.parameters(size), lines};
+    if (index == 0 || random.chance(0.1)) random.begin_scene(random.size({64, 48}));
+    return random.next();
   };
   job.stalls = Stalls::light;
   job.seed = 99;
@@ -67,10 +62,6 @@ void print_soak() {
   const Result result = cosimulate(job);
   print("soak_frames", static_cast<double>(result.frames.size()), true, kFrames);
   print("soak_bit_differences", static_cast<double>(result.differences()), false, 0);
-}
-
-const char* name(Stalls stalls) {
-  return stalls == Stalls::none ? "none" : stalls == Stalls::light ? "light" : "heavy";
 }
 
 /// Every picture of these folders twice, at most VGA of it, under random parameters.
@@ -100,7 +91,7 @@ void print_pictures(const std::vector<std::string>& folders) {
 }
 
 void print_cycles() {
-  const CycleRow vga = measure_cycles({640, 480});
+  const CycleRow vga = measure_cycles({640, 480}, Stalls::none);
   print("cycles_per_frame", vga.frame_cycles, false, vga.size.area() + 1000);
   print("latency_cycles", vga.decision_latency, false, 2200);
 }

@@ -7,6 +7,7 @@ void floorline_accelerator_small(hls::stream<floorline::RgbPixel>& pixels,
                                  hls::stream<floorline::Obstacle>& obstacles,
                                  hls::stream<floorline::LineCount>& counts,
                                  hls::stream<ap_uint<24> >& null_pixels,
+                                 hls::stream<floorline::Pixel>& threshold_used,
                                  const floorline::FrameParameters& parameters,
                                  const floorline::LineSetup lines[32]) {
 #pragma HLS INTERFACE axis port = pixels
@@ -14,10 +15,11 @@ void floorline_accelerator_small(hls::stream<floorline::RgbPixel>& pixels,
 #pragma HLS INTERFACE axis port = obstacles
 #pragma HLS INTERFACE axis port = counts
 #pragma HLS INTERFACE axis port = null_pixels
+#pragma HLS INTERFACE axis port = threshold_used
 #pragma HLS INTERFACE ap_none port = parameters
 #pragma HLS INTERFACE ap_memory port = lines
 #pragma HLS INTERFACE ap_ctrl_hs port = return
 #pragma HLS DATAFLOW
   floorline::accelerator<floorline::AcceleratorConfig<128, 64, 2, 32> >(pixels, points, obstacles, counts,
-                                                                        null_pixels, parameters, lines);
+                                                                        null_pixels, threshold_used, parameters, lines);
 }

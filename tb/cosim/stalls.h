@@ -13,6 +13,10 @@ enum class Stalls {
           ///< stalled, so that buffers run empty and full.
 };
 
+inline const char* name(Stalls stalls) {
+  return stalls == Stalls::none ? "none" : stalls == Stalls::light ? "light" : "heavy";
+}
+
 class StallPattern {
  public:
   StallPattern(Stalls level, std::uint64_t seed) : level_(level), state_(seed * 0x9e3779b97f4a7c15 + 1) {}

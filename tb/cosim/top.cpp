@@ -58,6 +58,7 @@ void Top::reset(int cycles) {
   for (int i = 0; i < kUnseen; ++i, ++cycle_) model_->tick_unseen();
   for (int i = 0; i < cycles; ++i) tick();
   for (PacketSink* sink : {&agents_.points, &agents_.obstacles, &agents_.counts}) sink->reset();
+  for (std::vector<std::uint8_t>& elements : agents_.taps) elements.clear();
   model_->set_reset(false);
 }
 

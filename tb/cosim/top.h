@@ -2,6 +2,7 @@
 #ifndef FLOORLINE_TB_COSIM_TOP_H
 #define FLOORLINE_TB_COSIM_TOP_H
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -32,12 +33,20 @@ enum class Configuration {
 /// The smallest one that holds frames of this size. Throws Error when none does.
 Configuration configuration_for(cv::Size largest_frame);
 
+/// The outputs that show what passes between stages, in the order of the pipeline.
+enum class Tap { difference, motion, blurred, region };
+constexpr std::array<const char*, 4> kTapNames = {"difference", "motion", "blurred", "region"};
+
+/// Elements that passed on each tap and were not compared yet.
+using TapElements = std::array<std::vector<std::uint8_t>, kTapNames.size()>;
+
 /// What is connected to the ports.
 struct Agents {
   Agents(Stalls stalls, std::uint64_t seed);
 
   VideoSource video;
   PacketSink points, obstacles, counts;
+  TapElements taps;
   AxiLiteMaster registers;
 };
 
@@ -92,6 +101,7 @@ class Top : public RegisterBus {
   PacketSink& points() { return agents_.points; }
   PacketSink& obstacles() { return agents_.obstacles; }
   PacketSink& counts() { return agents_.counts; }
+  TapElements& taps() { return agents_.taps; }
   bool interrupt() const { return model_->interrupt(); }
   std::uint64_t cycles() const { return cycle_; }
 

@@ -18,7 +18,7 @@ namespace {
 class RecordingBus : public RegisterBus {
  public:
   std::uint32_t read32(std::uint32_t offset) override {
-    constexpr std::uint32_t kVgaLimits = 7u << 24 | 480u << 12 | 640u;
+    constexpr std::uint32_t kVgaLimits = 8u << 24 | 480u << 12 | 640u;
     if (offset == FLOORLINE_ID) return FLOORLINE_ID_VALUE;
     if (offset == FLOORLINE_VERSION) return FLOORLINE_VERSION_VALUE;
     return offset == FLOORLINE_LIMITS ? kVgaLimits : 0;
@@ -58,14 +58,15 @@ nlohmann::json vectors(int frame_count, std::uint64_t seed) {
     queue_video(image, 0, size.height, beats);
     nlohmann::json pixels = nlohmann::json::array();
     for (const VideoBeat& beat : beats) pixels.push_back(beat.data);
-    const ExpectedFrame expected(csim.run(image, parameters, lines));
+    const ExpectedFrame expected(csim, image, parameters, lines);
     frames.push_back({{"width", size.width},
                       {"writes", std::exchange(bus.writes, nlohmann::json::array())},
                       {"pixels", pixels},
                       {"points", hexadecimal(expected.points)},
                       {"obstacles", hexadecimal(expected.obstacles)},
                       {"counts", hexadecimal(expected.counts)},
-                      {"null_pixels", expected.null_pixels}});
+                      {"null_pixels", expected.status.null_pixels},
+                      {"threshold_used", expected.status.threshold_used}});
   }
   return frames;
 }

@@ -101,6 +101,14 @@ class VerilatedTop : public TopModel {
       return (valid || to.waiting() || in_reset) &&
              to.sample(valid, {element(data), user, last}, in_reset, cycle);
     };
+    const auto tap = [&](Tap of, bool passes, std::uint8_t data) {
+      if (passes) agents.taps[static_cast<int>(of)].push_back(data);
+    };
+    tap(Tap::difference, top_->tap_difference_tvalid & top_->tap_difference_tready,
+        top_->tap_difference_tdata);
+    tap(Tap::motion, top_->tap_motion_tvalid & top_->tap_motion_tready, top_->tap_motion_tdata);
+    tap(Tap::blurred, top_->tap_blurred_tvalid & top_->tap_blurred_tready, top_->tap_blurred_tdata);
+    tap(Tap::region, top_->tap_region_tvalid & top_->tap_region_tready, top_->tap_region_tdata);
     bool moved = agents.video.sample(top_->s_axis_video_tready);
     moved |= sink(agents.points, top_->m_axis_points_tvalid, top_->m_axis_points_tdata,
                   top_->m_axis_points_tuser, top_->m_axis_points_tlast);

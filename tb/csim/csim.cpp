@@ -76,8 +76,8 @@ void send(const cv::Mat& image, hls::stream<RgbPixel>& pixels) {
 template <typename Config>
 void run_captured(hls::stream<RgbPixel>& pixels, hls::stream<FloorPoint>& points,
                   hls::stream<Obstacle>& obstacles, hls::stream<LineCount>& counts,
-                  hls::stream<ap_uint<24>>& null_pixels, const FrameParameters& p, const LineSetup* lines,
-                  StageCapture& capture) {
+                  hls::stream<ap_uint<24>>& null_pixels, hls::stream<Pixel>& threshold_used,
+                  const FrameParameters& p, const LineSetup* lines, StageCapture& capture) {
   constexpr int kWidth = Config::MAX_WIDTH;
   constexpr int kHeight = Config::MAX_HEIGHT;
   const cv::Size size(p.width.to_int(), p.height.to_int());
@@ -105,7 +105,7 @@ void run_captured(hls::stream<RgbPixel>& pixels, hls::stream<FloorPoint>& points
   capture.blurred = tap(blurred, size);
   otsu<kWidth, kHeight>(blurred, measured, thresholds, p.width, p.height);
   capture.otsu_threshold = tap(thresholds, {1, 1}).at<uchar>(0);
-  binarize<kWidth, kHeight>(measured, thresholds, binary, p.width, p.height, p.threshold);
+  binarize<kWidth, kHeight>(measured, thresholds, binary, threshold_used, p.width, p.height, p.threshold);
   capture.binary = tap(binary, size);
   erode<kWidth, kHeight>(binary, eroded, p.width, p.height, p.erode_high);
   capture.eroded = tap(eroded, size);
@@ -129,15 +129,18 @@ FrameOutput run_frame(const cv::Mat& image, const FrameParameters& parameters, s
   hls::stream<Obstacle> obstacles("obstacles");
   hls::stream<LineCount> counts("counts");
   hls::stream<ap_uint<24>> null_pixels("null_pixels");
+  hls::stream<Pixel> threshold_used("threshold_used");
   lines.resize(Config::MAX_LINES);
   send(image, pixels);
   if (capture) {
-    run_captured<Config>(pixels, points, obstacles, counts, null_pixels, parameters, lines.data(), *capture);
+    run_captured<Config>(pixels, points, obstacles, counts, null_pixels, threshold_used, parameters,
+                         lines.data(), *capture);
   } else {
-    accelerator<Config>(pixels, points, obstacles, counts, null_pixels, parameters, lines.data());
+    accelerator<Config>(pixels, points, obstacles, counts, null_pixels, threshold_used, parameters,
+                        lines.data());
   }
   return {drain(points), drain(obstacles), drain_counts(counts, parameters.line_count != 0),
-          null_pixels.read().to_int()};
+          null_pixels.read().to_int(), threshold_used.read().to_int()};
 }
 
 template <typename Config>

@@ -16,6 +16,7 @@ struct FrameOutput {
   std::vector<Obstacle> obstacles;
   std::vector<LineCount> counts;  ///< One a line.
   int null_pixels;                ///< Pixels without a counterpart in the reference.
+  int threshold_used;             ///< Its high threshold.
 };
 
 /// What runs between the stages for one frame. Images CV_8UC1; masks hold 0 to 3 (bit 1 high, bit 0 low).

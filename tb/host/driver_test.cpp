@@ -113,7 +113,7 @@ TEST(Driver, EnablesWaitsAndTakesEvents) {
 
 TEST(Driver, ReadsEveryCounter) {
   FakeCore core;
-  for (std::uint32_t offset = FLOORLINE_FRAMES; offset <= FLOORLINE_NULL_PIXELS; offset += 4)
+  for (std::uint32_t offset = FLOORLINE_FRAMES; offset <= FLOORLINE_THRESHOLD_USED; offset += 4)
     core.registers[offset] = offset;
   Driver driver(core);
   const HardwareCounters counters = driver.counters();
@@ -126,6 +126,7 @@ TEST(Driver, ReadsEveryCounter) {
   EXPECT_EQ(counters.first_result_latency, FLOORLINE_FIRST_RESULT_LATENCY);
   EXPECT_EQ(counters.decision_latency, FLOORLINE_DECISION_LATENCY);
   EXPECT_EQ(counters.null_pixels, FLOORLINE_NULL_PIXELS);
+  EXPECT_EQ(counters.threshold_used, FLOORLINE_THRESHOLD_USED);
 }
 
 TEST(UioBus, MapsTheDevice) {

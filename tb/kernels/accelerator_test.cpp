@@ -111,6 +111,7 @@ FrameOutput run_top(decltype(floorline_accelerator)* top, const cv::Mat& image, 
   hls::stream<Obstacle> obstacles("obstacles");
   hls::stream<LineCount> counts("counts");
   hls::stream<ap_uint<24>> null_pixels("null_pixels");
+  hls::stream<Pixel> threshold_used("threshold_used");
   for (int v = 0; v < image.rows; ++v) {
     for (int u = 0; u < image.cols; ++u) {
       const cv::Vec3b bgr = image.at<cv::Vec3b>(v, u);
@@ -121,7 +122,7 @@ FrameOutput run_top(decltype(floorline_accelerator)* top, const cv::Mat& image, 
   p.height = image.rows;
   p.line_count = lines.size();
   lines.resize(Config::MAX_LINES);
-  top(pixels, points, obstacles, counts, null_pixels, p, lines.data());
+  top(pixels, points, obstacles, counts, null_pixels, threshold_used, p, lines.data());
   EXPECT_TRUE(pixels.empty());
   FrameOutput output;
   for (FloorPoint point = points.read(); !point.end; point = points.read()) output.points.push_back(point);
@@ -130,6 +131,7 @@ FrameOutput run_top(decltype(floorline_accelerator)* top, const cv::Mat& image, 
   }
   while (!counts.empty()) output.counts.push_back(counts.read());
   output.null_pixels = null_pixels.read().to_int();
+  output.threshold_used = threshold_used.read().to_int();
   return output;
 }
 
@@ -169,6 +171,7 @@ TEST(Accelerator, CapturedStagesGiveWhatTheTopGives) {
       EXPECT_EQ(output->obstacles, top.obstacles);
       EXPECT_EQ(output->counts, top.counts);
       EXPECT_EQ(output->null_pixels, top.null_pixels);
+      EXPECT_EQ(output->threshold_used, top.threshold_used);
     }
     points += top.points.size();
   }

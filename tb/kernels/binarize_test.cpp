@@ -18,9 +18,11 @@ cv::Mat run(const cv::Mat& image, int otsu, const ThresholdParameters& parameter
   hls::stream<Pixel> in("pixels");
   hls::stream<Pixel> otsu_thresholds("thresholds");
   hls::stream<Mask> out("masks");
+  hls::stream<Pixel> used("threshold_used");
   send(image, in);
   otsu_thresholds.write(otsu);
-  binarize<640, 480>(in, otsu_thresholds, out, image.cols, image.rows, parameters);
+  binarize<640, 480>(in, otsu_thresholds, out, used, image.cols, image.rows, parameters);
+  EXPECT_EQ(used.read(), high_threshold(otsu, parameters));
   EXPECT_TRUE(in.empty());
   EXPECT_TRUE(otsu_thresholds.empty());
   return receive(image.size(), out);
