@@ -25,6 +25,7 @@ module demonstration #(
     wire [23:0]  unused_counts;
     wire         unused_arready, unused_rvalid, unused_irq, unused_points_tuser;
     wire [2:0]   unused_obstacles_flags, unused_counts_flags;
+    wire [7:0]   unused_difference, unused_motion, unused_blurred, unused_region, unused_taps;
     reg          frame_light_reg;
 
     assign frame_light = frame_light_reg;
@@ -93,7 +94,19 @@ module demonstration #(
         .m_axis_counts_tuser    (unused_counts_flags[0]),
         .m_axis_counts_tlast    (unused_counts_flags[1]),
         .m_axis_counts_tvalid   (unused_counts_flags[2]),
-        .m_axis_counts_tready   (1'b1)
+        .m_axis_counts_tready   (1'b1),
+        .tap_difference_tdata   (unused_difference),
+        .tap_difference_tvalid  (unused_taps[0]),
+        .tap_difference_tready  (unused_taps[1]),
+        .tap_motion_tdata       (unused_motion),
+        .tap_motion_tvalid      (unused_taps[2]),
+        .tap_motion_tready      (unused_taps[3]),
+        .tap_blurred_tdata      (unused_blurred),
+        .tap_blurred_tvalid     (unused_taps[4]),
+        .tap_blurred_tready     (unused_taps[5]),
+        .tap_region_tdata       (unused_region),
+        .tap_region_tvalid      (unused_taps[6]),
+        .tap_region_tready      (unused_taps[7])
     );
 
     serial_results #(
