@@ -76,6 +76,10 @@ namespace {
 /// Scalars of a run from this many bits on lie in LUT RAM.
 constexpr unsigned kWideScalars = 8;
 
+/// When the instances of a region take this many bits in all, each has one register for those of its run: a
+/// LUT RAM before each would cost more than it is worth to have more than two runs under way.
+constexpr unsigned kRegisteredScalars = 256;
+
 class TopWriter {
  public:
   TopWriter(const FunctionInfo& top, const PortModes& modes, bool has_probes = false)
@@ -139,6 +143,10 @@ class TopWriter {
       if (scalar.instance < 0) add_scalar(scalar);
     add_head(region);
     size_t count = region.instances.size();
+    has_registers_ = !region.is_loop && bits_taken(region, processes) >= kRegisteredScalars;
+    if (has_registers_)
+      body_ << "    wire run_waits;\n    reg" << range_text(count)
+            << " taken;  // instances that have the scalars of the next run\n";
     for (size_t i = 0; i < count; ++i) add_instance(region, i, *processes[region.instances[i].process]);
     for (const RegionScalar& scalar : region.scalars) add_region_scalar(region, scalar);
     add_run_control(region.is_loop);
@@ -569,9 +577,8 @@ class TopWriter {
     head_is_combinational_ = is_combinational(region.head);
     body_ << "    wire starts_free, run_starts;\n";
     if (region.is_loop) return add_loop_head(region);
-    if (!head_is_combinational_)
-      body_ << "    wire head_done;\n    assign run_starts = head_done & starts_free;\n";
-    if (head_is_combinational_) body_ << "    assign run_starts = ap_start & starts_free;\n";
+    if (!head_is_combinational_) body_ << "    wire head_done;\n";
+    body_ << "    assign run_starts = " << run_is_there() << " & starts_free;\n";
     if (head_is_combinational_ && !has_outputs) return;
     body_ << "    " << region.head.name << " head (\n";
     std::string separator = "        ";
@@ -622,6 +629,9 @@ class TopWriter {
     return name + "[" + high + std::to_string(low) + "]";
   }
 
+  /// The scalars of the next run are there.
+  const char* run_is_there() const { return head_is_combinational_ ? "ap_start" : "head_done"; }
+
   /// Outputs of the top that an instance drives, not the head.
   std::set<int> outputs_of_instances(const Region& region) const {
     std::set<int> driven;
@@ -633,13 +643,28 @@ class TopWriter {
     return driven;
   }
 
+  static bool is_taken_at_start(const Instance& instance, const Process& process, size_t scalar) {
+    return !process.scalars[scalar].is_output && instance.scalars[scalar] >= 0;
+  }
+
+  /// Bits of the scalars that all instances take.
+  static unsigned bits_taken(const Region& region, const std::vector<const Process*>& processes) {
+    unsigned bits = 0;
+    for (const Instance& instance : region.instances) {
+      const Process& process = *processes[instance.process];
+      for (size_t i = 0; i < process.scalars.size(); ++i)
+        if (is_taken_at_start(instance, process, i)) bits += process.scalars[i].width;
+    }
+    return bits;
+  }
+
   void add_instance(const Region& region, size_t index, const Process& process) {
     const Instance& instance = region.instances[index];
     const std::string& name = instance.name;
     std::vector<std::string> inputs;
     unsigned width = 0;
     for (size_t i = 0; i < process.scalars.size(); ++i) {
-      if (process.scalars[i].is_output || instance.scalars[i] < 0) continue;
+      if (!is_taken_at_start(instance, process, i)) continue;
       inputs.push_back(region.run_scalars[instance.scalars[i]].name);
       width += process.scalars[i].width;
     }
@@ -653,7 +678,10 @@ class TopWriter {
       for (size_t i = inputs.size(); i-- > 0;) data += inputs[i] + (i ? ", " : "}");
     }
     // The scalars of a run stay at the FIFO's output until the instance is done.
-    if (width >= kWideScalars)
+    if (has_registers_)
+      fifo(name + "_starts", std::max(1u, width), 1,
+           {data, "run_waits & ~taken[" + std::to_string(index) + "]", ready}, {taken, start, done});
+    else if (width >= kWideScalars)
       fifo(name + "_starts", width, 4, {data, "run_starts", ready}, {taken, start, done}, "scalar_fifo");
     else
       fifo(name + "_starts", std::max(1u, width), 2, {data, "run_starts", ready}, {taken, start, done});
@@ -700,33 +728,42 @@ class TopWriter {
   void add_run_control(bool is_loop) {
     size_t count = dones_.size();
     std::string free, all;
-    body_ << "\n    // Runs that an instance has finished and the region has not; at most 7 are under way.\n";
+    body_ << "\n    // Runs that an instance has finished and the region has not; at most " << most_runs()
+          << " are under way.\n";
+    std::string range = range_text(run_bits()), none = counted(0);
     for (size_t i = 0; i < count; ++i) {
       std::string counter = "finished_" + std::to_string(i);
-      body_ << "    reg [2:0] " << counter << ";\n";
+      body_ << "    reg" << range << " " << counter << ";\n";
       free += (i ? " & " : "") + frees_[i];
-      all += (i ? " & " : "") + ("(" + counter + " != 3'd0)");
+      all += (i ? " & " : "") + ("(" + counter + " != " + none + ")");
     }
     std::string proceed = interface_.has_continue ? "ap_continue" : "1'b1";
-    body_ << "    reg [2:0] under_way;\n    assign starts_free = " << free
-          << " & (under_way != 3'd7);\n    wire run_done = " << all << ";\n    wire run_leaves = run_done & "
+    body_ << "    reg" << range << " under_way;\n";
+    if (has_registers_)
+      add_taking(count);
+    else
+      body_ << "    assign starts_free = " << free << " & " << run_fits() << ";\n";
+    body_ << "    wire run_done = " << all << ";\n    wire run_leaves = run_done & "
           << (is_loop ? "1'b1" : proceed) << ";\n";
     if (is_loop) {
-      body_ << "    wire loop_done = head_done & (under_way == 3'd0);\n    assign loop_ends = loop_done & "
-            << proceed << ";\n";
+      body_ << "    wire loop_done = head_done & (under_way == " << none
+            << ");\n    assign loop_ends = loop_done & " << proceed << ";\n";
       if (interface_.has_start)
         body_ << "    assign ap_done = loop_done;\n    assign ap_ready = loop_ends;\n    assign ap_idle = "
                  "head_idle;\n";
     } else if (interface_.has_start)
       body_ << "    assign ap_done = run_done;\n    assign ap_ready = run_starts;\n    assign ap_idle = "
-               "(under_way == 3'd0);\n";
+            << "(under_way == " << none << ");\n";
+    std::string zeros = "{" + std::to_string(run_bits() - 1) + "'d0, ";
+    auto count_runs = [&](const std::string& counter, const std::string& up) {
+      body_ << "        " << counter << " <= " << counter << " + " << zeros << up << "} - " << zeros
+            << "run_leaves};\n";
+    };
     body_ << "    always @(posedge ap_clk) begin\n";
-    for (size_t i = 0; i < count; ++i)
-      body_ << "        finished_" << i << " <= finished_" << i << " + {2'd0, " << dones_[i]
-            << "} - {2'd0, run_leaves};\n";
-    body_ << "        under_way <= under_way + {2'd0, run_starts} - {2'd0, run_leaves};\n        if (rst) "
-             "begin\n            under_way <= 3'd0;\n";
-    for (size_t i = 0; i < count; ++i) body_ << "            finished_" << i << " <= 3'd0;\n";
+    for (size_t i = 0; i < count; ++i) count_runs("finished_" + std::to_string(i), dones_[i]);
+    count_runs("under_way", "run_starts");
+    body_ << "        if (rst) begin\n            under_way <= " << none << ";\n";
+    for (size_t i = 0; i < count; ++i) body_ << "            finished_" << i << " <= " << none << ";\n";
     body_ << "        end\n    end\n";
   }
 
@@ -740,6 +777,27 @@ class TopWriter {
       for (const BankPort& signal : signals)
         body_ << ",\n        ." << signal.name << "(" << signal.name << ")";
     body_ << "\n    );\n";
+  }
+
+  /// Counters of runs: two may overlap where instances have registers, and one more that all have finished.
+  unsigned run_bits() const { return has_registers_ ? 2 : 3; }
+  unsigned most_runs() const { return (1u << run_bits()) - 1; }
+  std::string counted(unsigned runs) const {
+    return std::to_string(run_bits()) + "'d" + std::to_string(runs);
+  }
+  std::string run_fits() const { return "(under_way != " + counted(most_runs()) + ")"; }
+
+  /// Each instance takes the scalars of the next run when its register is free; they stay where they are
+  /// until all have them.
+  void add_taking(size_t count) {
+    std::string free;
+    for (size_t i = count; i-- > 0;) free += frees_[i] + (i ? ", " : "");
+    std::string none = std::to_string(count) + "'d0";
+    body_ << "    wire" << range_text(count) << " takes = taken | {" << free
+          << "};\n    assign run_waits = " << run_is_there() << " & " << run_fits()
+          << ";\n    assign starts_free = (&takes) & " << run_fits()
+          << ";\n    always @(posedge ap_clk) begin\n        if (run_starts | rst) taken <= " << none
+          << ";\n        else if (run_waits) taken <= takes;\n    end\n";
   }
 
   TopModule finished() {
@@ -765,6 +823,7 @@ class TopWriter {
   const bool has_probes_;
   TopInterface interface_;
   bool head_is_combinational_ = false;
+  bool has_registers_ = false;             ///< Of the instances' scalars, in place of FIFOs.
   std::set<std::string> tied_;             ///< Memory ports of the instance at hand that lead to a channel.
   std::vector<const Process*> processes_;  ///< Of a region.
   std::vector<std::string> dones_, frees_;

@@ -35,7 +35,9 @@ TopModule emit_single_top(const FunctionInfo& top, const Process& process, const
 
 /// A dataflow region. A start of the region puts the scalars of the run into a FIFO before each instance; an
 /// instance runs when its FIFO holds a start and its streams allow, so the first may be runs ahead of the
-/// last. The region is done when all instances are.
+/// last. When the scalars are many, each instance has a register for those of its run instead, and takes
+/// them from the ports when it is free: the first may be one run ahead of the last. The region is done when
+/// all instances are.
 ///
 /// A stream that `taps` names has outputs NAME_tap_TDATA, _TVALID and _TREADY besides: what its reader sees.
 /// An element passes in every cycle in which both are 1; nothing waits for who looks at it. Throws
