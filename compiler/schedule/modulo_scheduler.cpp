@@ -29,6 +29,9 @@ class AsapSolver {
       if (problem.dependences[i].distance == 0) incoming_[problem.dependences[i].to].push_back(i);
   }
 
+  /// From a solution: no operation comes earlier than there.
+  void start_from(const std::vector<int>& cycles) { not_before_ = cycles; }
+
   bool run() {
     size_t count = problem_.operations.size();
     // A recurrence that fits needs each operation moved at most once per dependence; more means it does not
@@ -131,7 +134,89 @@ class AsapSolver {
   std::vector<std::map<int, int>> used_;
 };
 
+int length_of(const ScheduleProblem& problem, const Schedule& schedule) {
+  int length = 0;
+  for (size_t op = 0; op < problem.operations.size(); ++op)
+    length = std::max(length, schedule.cycle[op] + problem.operations[op].latency + 1);
+  return length;
+}
+
+/// Tries later cycles for one operation after the other, from the last to the first; what depends on it
+/// moves along.
+class RegisterSaver {
+ public:
+  RegisterSaver(const ScheduleProblem& problem, Schedule& schedule)
+      : problem_(problem), best_(schedule), bits_(register_bits(problem, schedule)) {
+    length_ = length_of(problem, schedule);
+    tries_left_ = kMostWork / std::max<size_t>(1, problem.operations.size());
+  }
+
+  void run() {
+    for (bool improved = true; improved && tries_left_ > 0;) {
+      improved = false;
+      for (size_t op = problem_.operations.size(); op-- > 0;)
+        if (!problem_.operations[op].is_fixed) improved |= delay(op);
+    }
+  }
+
+ private:
+  /// Operations placed in all tries: some tenths of a second.
+  static constexpr size_t kMostWork = 4000000;
+
+  bool delay(size_t op) {
+    bool improved = false;
+    std::vector<int> cycles = best_.cycle;
+    while (++cycles[op] < length_ && tries_left_-- > 0) {
+      Schedule tried;
+      ScheduleFailure failure;
+      AsapSolver solver(problem_, tried, failure);
+      solver.start_from(cycles);
+      if (!solver.run() || !keeps_what_is_fixed(tried)) break;
+      unsigned bits = register_bits(problem_, tried);
+      if (bits >= bits_) continue;
+      bits_ = bits;
+      best_ = tried;
+      cycles = tried.cycle;
+      improved = true;
+    }
+    return improved;
+  }
+
+  bool keeps_what_is_fixed(const Schedule& tried) const {
+    for (size_t op = 0; op < problem_.operations.size(); ++op)
+      if (problem_.operations[op].is_fixed && tried.cycle[op] != best_.cycle[op]) return false;
+    return length_of(problem_, tried) <= length_;
+  }
+
+  const ScheduleProblem& problem_;
+  Schedule& best_;
+  unsigned bits_;
+  int length_;
+  size_t tries_left_;
+};
+
 }  // namespace
+
+void save_registers(const ScheduleProblem& problem, Schedule& schedule) {
+  RegisterSaver(problem, schedule).run();
+}
+
+unsigned register_bits(const ScheduleProblem& problem, const Schedule& schedule) {
+  std::vector<int> last_use(problem.operations.size(), 0);
+  for (const Dependence& dependence : problem.dependences) {
+    if (!dependence.is_data) continue;
+    bool is_carried = dependence.distance > 0;  // Taken at the end of the cycle before.
+    int use = schedule.cycle[dependence.to] + dependence.distance * problem.ii - (is_carried ? 1 : 0);
+    last_use[dependence.from] = std::max(last_use[dependence.from], use);
+  }
+  unsigned bits = 0;
+  for (size_t op = 0; op < problem.operations.size(); ++op) {
+    int there = schedule.cycle[op] + problem.operations[op].latency;
+    int waits = last_use[op] - there - (problem.operations[op].is_register ? problem.ii - 1 : 0);
+    if (waits > 0) bits += problem.operations[op].bits * ((waits + problem.ii - 1) / problem.ii);
+  }
+  return bits;
+}
 
 bool solve(const ScheduleProblem& problem, Schedule& schedule, ScheduleFailure& failure) {
   return AsapSolver(problem, schedule, failure).run();

@@ -74,6 +74,22 @@ TEST_F(ModuloScheduler, MovesARecurrenceToItsLateOperand) {
   EXPECT_EQ(schedule.cycle[2], 4);
 }
 
+TEST_F(ModuloScheduler, SavesRegistersByWideningLate) {
+  // A flag that comes at once, 32 bits made of it, and what waits for a slow load beside them.
+  problem.operations = {operation(0), operation(1), operation(3, 4), operation(1)};
+  problem.operations[0].bits = 1;
+  problem.operations[1].bits = 32;
+  for (int fixed : {0, 2, 3}) problem.operations[fixed].is_fixed = true;
+  problem.dependences = {data(0, 1), data(1, 3), data(2, 3)};
+  problem.ii = 1;
+  ASSERT_TRUE(solved());
+  EXPECT_EQ(register_bits(problem, schedule), 4 * 32u);
+  save_registers(problem, schedule);
+  EXPECT_EQ(verify(problem, schedule), "");
+  EXPECT_EQ(schedule.cycle, (std::vector<int>{0, 4, 0, 4}));
+  EXPECT_EQ(register_bits(problem, schedule), 4u);
+}
+
 TEST_F(ModuloScheduler, VerifyFindsAWrongSchedule) {
   problem.operations = {operation(2), operation(2)};
   problem.dependences = {data(0, 1)};

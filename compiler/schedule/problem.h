@@ -16,9 +16,12 @@ struct ScheduleOperation {
   double output_delay = 0;  ///< ns from the clock edge to the output; of operations with latency.
   double earliest =
       0;  ///< ns after the clock edge before which its output is not there (registers, FIFO outputs).
-  double tail = 0;    ///< ns that must remain in the cycle behind it (stall logic of a stream access).
-  int latency = 0;    ///< Cycles from start to output.
-  int resource = -1;  ///< Index into limits; -1: none.
+  double tail = 0;           ///< ns that must remain in the cycle behind it (stall logic of a stream access).
+  int latency = 0;           ///< Cycles from start to output.
+  int resource = -1;         ///< Index into limits; -1: none.
+  unsigned bits = 0;         ///< Of the result, when it takes a register to carry it to a later cycle.
+  bool is_register = false;  ///< The result stays for ii cycles by itself.
+  bool is_fixed = false;     ///< Seen from outside when it happens: stays where the solution puts it.
 };
 
 struct Dependence {
@@ -50,6 +53,13 @@ struct ScheduleFailure {
 
 /// Solves `problem`. Returns false and the cause when its ii is too small.
 bool solve(const ScheduleProblem& problem, Schedule& schedule, ScheduleFailure& failure);
+
+/// Moves operations of a pipelined problem to later cycles where values then wait in fewer registers. The
+/// length of the schedule and the cycles of fixed operations stay.
+void save_registers(const ScheduleProblem& problem, Schedule& schedule);
+
+/// Register bits that carry values of a pipelined problem from cycle to cycle.
+unsigned register_bits(const ScheduleProblem& problem, const Schedule& schedule);
 
 /// Empty when `schedule` obeys every dependence, limit and period of `problem`; else what it breaks.
 std::string verify(const ScheduleProblem& problem, const Schedule& schedule);

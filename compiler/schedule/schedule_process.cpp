@@ -70,6 +70,7 @@ class BlockScheduler {
           throw CompileError(block_.location, "the loop has no schedule with an II up to " +
                                                   std::to_string(kMaxIi) + ": " + summary.limit);
       }
+      save_registers(problem_, schedule);
       summary.ii = problem_.ii;
       if (block_.wanted_ii && summary.ii > wanted)
         diagnostics.warn(block_.location, "II = " + std::to_string(wanted) + " is not reached, II is " +
@@ -98,6 +99,10 @@ class BlockScheduler {
       }
       if (op.is_memory_access() && is_deep(op)) node.tail = options_.target.reach;
       if (op.is_stream_access()) node.tail = options_.target.stall;
+      node.bits = op.has_result() && op.kind != OpKind::kConstant && op.kind != OpKind::kInput ? op.bits : 0;
+      node.is_register = op.kind == OpKind::kPhi;
+      node.is_fixed = op.has_effect() || op.kind == OpKind::kEmpty || op.kind == OpKind::kFull ||
+                      id == block_.terminator.condition;
       problem_.operations.push_back(node);
     }
     problem_.period = options_.period * (1 - options_.margin);
