@@ -27,7 +27,7 @@ void binarize(hls::stream<Pixel>& in, hls::stream<Pixel>& thresholds, hls::strea
   const Pixel high = high_threshold(thresholds.read(), parameters);
   const Pixel low = parameters.low;
 PIXELS:
-  for (RasterPosition at(width, height); at.inside; at.advance()) {
+  for (RasterPosition<MAX_WIDTH, MAX_HEIGHT> at(width, height); at.inside; at.advance()) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT
     const Pixel pixel = in.read();

@@ -79,16 +79,16 @@ CLEAR:
     ranges[line] = NOWHERE;
   }
 
-  FloorPoint point = points.read();
 SELECT:
-  while (!point.end) {
+  for (bool ended = false; !ended;) {
+    const FloorPoint point = points.read();
+    ended = point.end;
     const SquaredMetres range = squared_range(coarse(point.x), coarse(point.y));
-    if (range < ranges[point.line]) {
+    if (!ended && range < ranges[point.line]) {
       const Candidate better = {point.u, point.v, point.rows, point.x, point.y, point.clipped};
       candidates[point.line] = better;
       ranges[point.line] = range;
     }
-    point = points.read();
   }
 
   // Each pass takes the obstacle around the point that the pass before found nearest; the first one only

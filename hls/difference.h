@@ -16,7 +16,7 @@ template <int MAX_WIDTH, int MAX_HEIGHT>
 void difference(hls::stream<PixelPair>& in, hls::stream<Pixel>& out, hls::stream<Change>& changes, Size width,
                 Size height) {
 PIXELS:
-  for (RasterPosition at(width, height); at.inside; at.advance()) {
+  for (RasterPosition<MAX_WIDTH, MAX_HEIGHT> at(width, height); at.inside; at.advance()) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT
     const PixelPair pair = in.read();

@@ -71,7 +71,7 @@ void displacement(hls::stream<Change>& in, hls::stream<Motion>& out, Size width,
   // Row `height` holds no pixels, just the end of the last row's windows.
   bool windows_wait = true;
 PIXELS:
-  for (RasterPosition at(width, height); at.inside || windows_wait; at.advance()) {
+  for (RasterPosition<MAX_WIDTH, MAX_HEIGHT> at(width, height); at.inside || windows_wait; at.advance()) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT + REACH
     Change change = {0, 0};

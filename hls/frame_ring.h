@@ -119,7 +119,7 @@ void frame_ring(hls::stream<Pixel>& in, hls::stream<PixelPair>& out, hls::stream
   ap_uint<24> null_count = 0;
 
 PIXELS:
-  for (RasterPosition at(width, height); at.inside; at.advance()) {
+  for (RasterPosition<MAX_WIDTH, MAX_HEIGHT> at(width, height); at.inside; at.advance()) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT
 // True: a row that is being overwritten is not alive, and rows that are not alive are not read.

@@ -111,7 +111,7 @@ void lens(hls::stream<Pixel>& in, hls::stream<Pixel>& out, Size width, Size heig
   const Size last_row = height - 1;
 
 PIXELS:
-  for (RasterPosition at(width, height + DELAY); at.inside; at.advance()) {
+  for (RasterPosition<MAX_WIDTH, MAX_HEIGHT + DELAY> at(width, height + DELAY); at.inside; at.advance()) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * (MAX_HEIGHT + DELAY)
 // True: a row is read a row after it was written at the earliest, and written again a row after it was last

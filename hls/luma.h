@@ -28,7 +28,7 @@ inline Pixel brightness(RgbPixel rgb) {
 template <int MAX_WIDTH, int MAX_HEIGHT>
 void luma(hls::stream<RgbPixel>& in, hls::stream<Pixel>& out, Size width, Size height, ap_uint<1> grey) {
 PIXELS:
-  for (RasterPosition at(width, height); at.inside; at.advance()) {
+  for (RasterPosition<MAX_WIDTH, MAX_HEIGHT> at(width, height); at.inside; at.advance()) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT
     const RgbPixel rgb = in.read();

@@ -82,14 +82,20 @@ typedef ap_uint<25> Logarithm;  ///< Q6.19.
 /// Greatest error of logarithm(), in units of 2^-19.
 const int LOGARITHM_ERROR = 3;
 
-/// One step of normalising: up by SHIFT bits when the first SHIFT bits are 0; `shifts` gets that bit.
-template <int SHIFT, int BITS>
-inline void shift_up(ap_uint<BITS>& mantissa, ap_uint<6>& shifts) {
+/// One step of normalising: up by as many digits of DIGIT bits as are 0 at the top, at most three; they are
+/// added to `digits`, a number to the base 4.
+template <int DIGIT, int BITS>
+inline void shift_up(ap_uint<BITS>& mantissa, ap_uint<6>& digits) {
 #pragma HLS INLINE
-  if (mantissa >> (BITS - SHIFT) == 0) {
-    mantissa = mantissa << SHIFT;
-    shifts = shifts | SHIFT;
-  }
+  const bool first = mantissa >> (BITS - DIGIT) == 0;
+  const bool second = mantissa >> (BITS - 2 * DIGIT) == 0;
+  const bool third = 3 * DIGIT < BITS && mantissa >> (BITS - 3 * DIGIT) == 0;
+  const ap_uint<2> zeros = third ? 3 : second ? 2 : first ? 1 : 0;
+  mantissa = third    ? ap_uint<BITS>(mantissa << 3 * DIGIT)
+             : second ? ap_uint<BITS>(mantissa << 2 * DIGIT)
+             : first  ? ap_uint<BITS>(mantissa << DIGIT)
+                      : mantissa;
+  digits = digits << 2 | zeros;
 }
 
 /// log2(x), Q6.19, for x > 0.
@@ -99,11 +105,8 @@ inline Logarithm logarithm(ap_uint<BITS> x) {
   static_assert(BITS > 32, "The first step of normalising looks at 32 bits.");
   ap_uint<BITS> mantissa = x;  // shifted up until its first bit is set
   ap_uint<6> shifts = 0;
-  shift_up<32>(mantissa, shifts);
   shift_up<16>(mantissa, shifts);
-  shift_up<8>(mantissa, shifts);
   shift_up<4>(mantissa, shifts);
-  shift_up<2>(mantissa, shifts);
   shift_up<1>(mantissa, shifts);
   const ap_uint<21> fraction = mantissa >> (BITS - 1 - 21);
   const ap_uint<32> chord = Table<LogarithmChord, LogarithmChord::COUNT>::word[fraction.range(20, 13)];
@@ -133,8 +136,8 @@ struct LongMultiplication {
   ap_uint<2 * LIMB_BITS> product(const Limb* x, const Limb* y) const {
 #pragma HLS INLINE
     const ap_int<5> limb = column - term;
-    if (limb < 0 || limb >= Y_LIMBS) return 0;
-    return x[term] * y[limb];
+    const Limb factor = limb >= 0 && limb < Y_LIMBS ? y[limb] : Limb(0);
+    return x[term] * factor;
   }
 
   void advance() {
@@ -254,7 +257,7 @@ void otsu(hls::stream<Pixel>& in, hls::stream<Pixel>& out, hls::stream<Pixel>& t
   Count total = 0;
   typename W::Sum total_sum = 0;
 PIXELS:
-  for (RasterPosition at(width, height); at.inside; at.advance()) {
+  for (RasterPosition<MAX_WIDTH, MAX_HEIGHT> at(width, height); at.inside; at.advance()) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT
 // True: a bin written by one of the last two pixels is not read but taken from count1 or count2.

@@ -257,7 +257,7 @@ void polar(hls::stream<Mask>& mask, hls::stream<Motion>& motions, hls::stream<Co
   // Row `height` holds no pixels, just the steps of the lines in the last row.
   bool steps_wait = true;
 CYCLES:
-  for (RasterPosition at(width, height); at.inside || steps_wait; at.advance()) {
+  for (RasterPosition<MAX_WIDTH, MAX_HEIGHT> at(width, height); at.inside || steps_wait; at.advance()) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT + MAX_LINES
 // True: a line reads its row LINE_DELAY or more steps after that was written and LINE_SLACK - LINE_DELAY or

@@ -2,6 +2,7 @@
 #ifndef FLOORLINE_HLS_RASTER_H
 #define FLOORLINE_HLS_RASTER_H
 
+#include "table.h"
 #include "types.h"
 
 namespace floorline {
@@ -9,16 +10,20 @@ namespace floorline {
 /// Column u and row v of a raster scan over `height` rows of `width` pixels, at least one: one counter each
 /// instead of a product width * height, and one flat loop, so that a pipeline runs across the ends of rows.
 /// Whether the scan goes on is known from two comparisons side by side, not from the counters of the next
-/// step.
+/// step. Widths up to MAX_WIDTH, heights up to MAX_HEIGHT + 1; the counters hold no more.
+template <int MAX_WIDTH, int MAX_HEIGHT>
 struct RasterPosition {
-  Size u;
-  Size v;
-  Size last_column;
-  Size last_row;
+  typedef ap_uint<BitWidth<MAX_WIDTH - 1>::value> Column;
+  typedef ap_uint<BitWidth<MAX_HEIGHT>::value> Row;
+
+  Column u;
+  Row v;
+  Column last_column;
+  Row last_row;
   bool inside;
 
   RasterPosition(Size width, Size height)
-      : u(0), v(0), last_column(width - 1), last_row(height - 1), inside(height != 0) {}
+      : u(0), v(0), last_column(width - 1), last_row(height - 1), inside(true) {}
 
   bool at_row_end() const { return u == last_column; }
 

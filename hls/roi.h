@@ -15,7 +15,7 @@ template <int MAX_WIDTH, int MAX_HEIGHT>
 void roi(hls::stream<Mask>& in, hls::stream<Mask>& out, Size width, Size height, Size first_row,
          Size last_row) {
 PIXELS:
-  for (RasterPosition at(width, height); at.inside; at.advance()) {
+  for (RasterPosition<MAX_WIDTH, MAX_HEIGHT> at(width, height); at.inside; at.advance()) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT
     const Mask mask = in.read();

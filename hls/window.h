@@ -14,6 +14,47 @@
 
 namespace floorline {
 
+/// Walk over the pixels that come in, for a window that lags behind by a row and a pixel: it knows of the
+/// rows what a window asks. After the last row, one row and one step more flush the last centres, unless the
+/// filter passes.
+template <int MAX_WIDTH, int MAX_HEIGHT>
+struct WindowWalk {
+  typedef ap_uint<BitWidth<MAX_WIDTH - 1>::value> Column;
+
+  Column u;
+  Column last_column;
+  ap_uint<BitWidth<MAX_HEIGHT>::value> rows_left;  ///< From the one at hand on.
+  ap_uint<2> rows_above;                           ///< The one at hand; 2: two or more.
+  bool takes;                                      ///< A pixel comes in.
+  bool flushes_row;
+  bool flushes_corner;
+
+  WindowWalk(Size width, Size height)
+      : u(0),
+        last_column(width - 1),
+        rows_left(height),
+        rows_above(0),
+        takes(true),
+        flushes_row(false),
+        flushes_corner(false) {}
+
+  bool goes_on() const { return takes || flushes_row || flushes_corner; }
+
+  void advance(bool passes) {
+#pragma HLS INLINE
+    const bool row_end = u == last_column;
+    const bool rows_end = row_end && rows_left == 1;
+    flushes_corner = row_end && flushes_row;
+    flushes_row = row_end ? rows_end && takes && !passes : flushes_row;
+    takes = takes && !rows_end;
+    u = row_end ? Column(0) : Column(u + 1);
+    if (row_end) {
+      rows_left = rows_left - 1;
+      rows_above = rows_above == 0 ? 1 : 2;
+    }
+  }
+};
+
 /// Filter names the types and the two reductions:
 ///   typedef ap_uint<..> Element;  stream element, Element::width bits
 ///   typedef ap_uint<..> Column;   reduced column
@@ -34,27 +75,24 @@ void filter_3x3(hls::stream<typename Filter::Element>& in, hls::stream<typename 
 
   Column left = 0;
   Column middle = 0;
-  // Row `height` and the first step of the row below it flush the last centres.
-  bool corner_waits = !passes;
 PIXELS:
-  for (RasterPosition at(width, passes ? height : Size(height + 1)); at.inside || corner_waits;
-       at.advance()) {
+  for (WindowWalk<MAX_WIDTH, MAX_HEIGHT> at(width, height); at.goes_on(); at.advance(passes)) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 4 max = MAX_WIDTH * MAX_HEIGHT + MAX_WIDTH + 1
 // True: the word of column u is touched again `width` >= 4 steps later, when its write is done.
 #pragma HLS DEPENDENCE variable = rows_above inter false
     const ap_uint<2 * BITS> above = rows_above[at.u];
     const Element centre = above.range(BITS - 1, 0);
-    const Element top = at.v == 1 ? centre : Element(above.range(2 * BITS - 1, BITS));
+    const Element top = at.rows_above == 1 ? centre : Element(above.range(2 * BITS - 1, BITS));
     Element bottom = centre;
-    if (at.inside && at.v != height) {
+    if (at.takes) {
       bottom = in.read();
       rows_above[at.u] = (centre, bottom);
     }
     const Column right = Filter::reduce_column(top, centre, bottom);
 
     // The centre is column u - 1 of row v - 1, or for u = 0 the last column of row v - 2.
-    const bool filled = at.v > 1 || (at.v == 1 && at.u > 0);
+    const bool filled = at.rows_above == 2 || (at.rows_above == 1 && at.u > 0);
     if (passes || filled) {
       const bool first_column = at.u == 1 || at.last_column == 0;
       const bool last_column = at.u == 0;
@@ -64,7 +102,6 @@ PIXELS:
     }
     left = middle;
     middle = right;
-    if (!at.inside) corner_waits = false;
   }
 }
 

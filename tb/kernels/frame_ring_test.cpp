@@ -229,7 +229,7 @@ double worst_coordinate(const cv::Matx33d& h, cv::Size size) {
   LinearWalk x_walk(map.x1 + 64, map.xu, map.xv), y_walk(map.y1 + 64, map.yu, map.yv),
       z_walk(map.z1 - 1, map.zu, map.zv);
   double worst = 0;
-  for (RasterPosition at(size.width, size.height); at.inside; at.advance()) {
+  for (RasterPosition<2048, 2048> at(size.width, size.height); at.inside; at.advance()) {
     const cv::Vec3d p = h * cv::Vec3d(at.u.to_int(), at.v.to_int(), 1);
     const cv::Point2d exact(p[0] / p[2], p[1] / p[2]);
     const Reciprocal denominator = reciprocal(z_walk.value);

@@ -80,7 +80,7 @@ TEST(Lens, CoordinatesAreWithinTheBound) {
     const golden::Lens exact = golden_lens(camera, golden::Interpolation::nearest);
     const LensParameters parameters = pack(camera);
     LensMap map(parameters);
-    for (RasterPosition at(camera.size.width, camera.size.height); at.inside; at.advance()) {
+    for (RasterPosition<2048, 2048> at(camera.size.width, camera.size.height); at.inside; at.advance()) {
       const LensPoint found = map.point(at.u, at.v, parameters);
       const cv::Point2d expected = exact.source(at.u.to_int(), at.v.to_int());
       const cv::Point2d error = cv::Point2d(found.x.to_double(), found.y.to_double()) / 256 - expected;
