@@ -33,6 +33,14 @@ TARGETS = ("xc6v", "xc7", "ecp5")
 DEVICE = ["--85k", "--package", "CABGA381", "--speed", "6"]
 NEXTPNR = [*DEVICE, "--freq", "130", "--timing-allow-fail"]  # MHz to aim at; timing-driven, as nextpnr is by default
 
+# Mapping to LUTs for Xilinx: Yosys's own script with least area (if -a) in place of least depth, a LUT of any size for the same price, and
+# a second round. The stages around it are those of synth_xilinx.
+XILINX_LUTS = "; ".join([
+    "opt_expr -mux_undef -noclkinv",
+    "abc -lut 6 -script +strash;&get,-n;&fraig,-x;&put;scorr;dc2;strash;dch,-f;if,-a;mfs2;strash;dch,-f;if,-a;mfs2;lutpack,-S,1",
+    "clean", "techmap -map +/xilinx/ff_map.v", "xilinx_srl -fixed -minlen 3",
+    "techmap -map +/xilinx/lut_map.v -map +/xilinx/cells_map.v -D LUT_WIDTH=6", "xilinx_dffopt", "opt_lut_ins -tech xilinx"])
+
 # What one cell costs: lut, ff, bram (of 36 Kbit on Xilinx, 18 Kbit on ECP5), dsp. Cells that are not listed cost nothing of these.
 Cost = collections.namedtuple("Cost", "lut ff bram dsp")
 XILINX = {
@@ -106,21 +114,26 @@ class Design:
 
     def key(self):
         """The hash of what the result depends on: sources, tools, what they are told, and what a cell counts for."""
-        return content_key([*self.sources, HERE / "shell.py", HERE / "pack.py"], versions(self.target), self.scripts(), NEXTPNR, XILINX, ECP5, self.parts_of)
+        if self.target == "ecp5":
+            return content_key([*self.sources, HERE / "shell.py", HERE / "pack.py"], versions(self.target), self.scripts(), NEXTPNR, XILINX, ECP5, self.parts_of)
+        return content_key(self.sources, versions(self.target), self.scripts(), XILINX, self.parts_of)
 
     def scripts(self):
         """What Yosys is told: `parts` keeps the hierarchy, for the shares of the parts; `flat` gives the sum, and nextpnr's netlist."""
         if self.target == "ecp5":
-            synthesis = {"parts": "synth_ecp5 -abc9 -noflatten", "flat": "synth_ecp5 -abc9"}
+            synthesis = {"parts": f"synth_ecp5 -abc9 -noflatten -top {self.top}", "flat": f"synth_ecp5 -abc9 -top {self.top}"}
         else:
-            command = f"synth_xilinx -noiopad -noclkbuf -family {self.target}"
-            synthesis = {"parts": command, "flat": f"{command} -flatten"}
+            synthesis = {"parts": self.xilinx(""), "flat": self.xilinx(" -flatten")}
         parameters = "".join(f"chparam -set {name} {value} {self.top}; " for name, value in self.parameters.items())
         read = f"read_verilog {' '.join(self.sources)}; {parameters}"
-        scripts = {name: f"{read}{command} -top {self.top}; tee -q -o {self.relative(name + '.json')} stat -json"
+        scripts = {name: f"{read}{command}; tee -q -o {self.relative(name + '.json')} stat -json"
                    for name, command in synthesis.items()}
         scripts["flat"] += f"; write_json {self.relative('netlist.json')}"
         return scripts
+
+    def xilinx(self, flatten):
+        command = f"synth_xilinx -noiopad -noclkbuf -family {self.target} -top {self.top}{flatten}"
+        return f"{command} -run begin:map_luts; {XILINX_LUTS}; {command} -run finalize:edif"
 
 
 def entries():
