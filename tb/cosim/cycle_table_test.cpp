@@ -10,7 +10,7 @@ namespace {
 /// docs/cosimulation.md: width * height, and the longer of a line with its window's columns and Otsu's
 /// search, which depends on how many grey levels it has to compare.
 bool follows_the_formula(cv::Size size, int cycles) {
-  constexpr int kLine = 8, kSearch = 505, kContender = 54, kBetter = 7, kMostContenders = 3;
+  constexpr int kLine = 8, kSearch = 503, kContender = 54, kBetter = 7, kMostContenders = 3;
   for (int contenders = 1; contenders <= kMostContenders; ++contenders) {
     for (int better = 0; better < contenders; ++better) {
       const int search = kSearch + kContender * contenders + kBetter * better;
