@@ -55,22 +55,23 @@ module birdseye (
     reg test_s4;
     reg test_s5;
     reg [11:0] contact_9_s1;
-    reg [31:0] value_2_s1;
+    reg contact_11_s1;
+    reg contact_11_s2;
+    reg contact_11_s3;
+    reg contact_11_s4;
+    reg test_2_s1;
+    reg test_2_s2;
     reg [12:0] value_3_s1;
-    reg [31:0] value_4_s1;
     reg [44:0] value_6_s2;
     reg [43:0] value_7_s2;
-    reg [31:0] value_9_s1;
-    reg [31:0] value_9_s2;
     reg [42:0] shifted_4_s3;
-    reg [24:0] value_14_s3;
     reg [24:0] value_14_s4;
     reg [31:0] shifted_6_s5;
+    reg test_4_s3;
     reg test_5_s3;
     reg test_6_s3;
     reg test_7_s3;
     reg [1:0] chosen_6_s3;
-    reg [2:0] chosen_7_s3;
     reg [30:0] value_19_s3;
     reg [12:0] shifted_11_s4;
     reg [23:0] value_27_s5;
@@ -93,10 +94,6 @@ module birdseye (
     reg [44:0] either_3_s2;
     reg [44:0] either_3_s3;
     reg [44:0] either_3_s4;
-    reg [93:0] chosen_12_s1;
-    reg [93:0] chosen_12_s2;
-    reg [93:0] chosen_12_s3;
-    reg [93:0] chosen_12_s4;
     reg [93:0] either_6_s5;
 
     wire stall;
@@ -123,26 +120,26 @@ module birdseye (
     wire contact_11 = test ? clipped : contact_2;  // birdseye.h:42
     wire contact_12 = test ? end_2 : contact;  // birdseye.h:42
     wire test_2 = row == 2'd1;  // birdseye.h:43
-    wire [31:0] chosen = test_2 ? map_xu_V : map_yu_V;  // birdseye.h:43
-    wire [31:0] chosen_2 = test ? map_zu_V : chosen;  // birdseye.h:43
-    wire [31:0] chosen_3 = test_2 ? map_xv_V : map_yv_V;  // birdseye.h:44
-    wire [31:0] chosen_4 = test ? map_zv_V : chosen_3;  // birdseye.h:44
-    wire [31:0] chosen_5 = test_2 ? map_x1_V : map_y1_V;  // birdseye.h:46
-    wire [31:0] start = test ? sum_q : chosen_5;  // birdseye.h:46
+    wire [31:0] chosen = test_2_s1 ? map_xu_V : map_yu_V;  // birdseye.h:43
+    wire [31:0] chosen_2 = test_s1 ? map_zu_V : chosen;  // birdseye.h:43
+    wire [31:0] chosen_3 = test_2_s1 ? map_xv_V : map_yv_V;  // birdseye.h:44
+    wire [31:0] chosen_4 = test_s1 ? map_zv_V : chosen_3;  // birdseye.h:44
+    wire [31:0] chosen_5 = test_2_s2 ? map_x1_V : map_y1_V;  // birdseye.h:46
+    wire [31:0] start = test_s2 ? sum_q : chosen_5;  // birdseye.h:46
     wire [31:0] value_2 = chosen_2;  // birdseye.h:47
     wire [12:0] value_3 = contact_8;  // birdseye.h:47
-    wire [44:0] product = $signed(value_2_s1) * $signed(value_3_s1);  // birdseye.h:47
+    wire [44:0] product = $signed(value_2) * $signed(value_3_s1);  // birdseye.h:47
     wire [31:0] value_4 = chosen_4;  // birdseye.h:47
-    wire [43:0] product_2 = $signed(value_4_s1) * $signed({1'd0, contact_9_s1});  // birdseye.h:47
+    wire [43:0] product_2 = $signed(value_4) * $signed({1'd0, contact_9_s1});  // birdseye.h:47
     wire [44:0] value_6 = product;  // birdseye.h:47
     wire [43:0] value_7 = product_2;  // birdseye.h:47
     wire [44:0] sum_2 = value_6_s2 + {{1{value_7_s2[43]}}, value_7_s2};  // birdseye.h:47
     wire [31:0] value_9 = start;  // birdseye.h:47
-    wire [44:0] sum_3 = sum_2 + {{13{value_9_s2[31]}}, value_9_s2};  // birdseye.h:47
+    wire [44:0] sum_3 = sum_2 + {{13{value_9[31]}}, value_9};  // birdseye.h:47
     wire [46:0] value_10 = {{2{sum_3[44]}}, sum_3};  // birdseye.h:51
     wire [46:0] sum_4 = value_10 + 47'd8;  // birdseye.h:51
     wire [42:0] shifted_4 = sum_4[46:4];  // birdseye.h:51
-    wire [24:0] value_12 = shifted_4[24:0];  // birdseye.h:52
+    wire [24:0] value_12 = shifted_4_s3[24:0];  // birdseye.h:52
     wire [24:0] value_14 = value_12;  // reciprocal.h:70
     wire [41:0] product_3 = $signed(value_14_s4) * $signed({1'd0, denominator_2});  // reciprocal.h:70
     wire [42:0] shifted_5_wide = {{1{product_3[41]}}, product_3};
@@ -161,8 +158,8 @@ module birdseye (
     wire test_8 = both_7 == 27'd0;  // reciprocal.h:53
     wire shifted_7 = value_18[25];  // reciprocal.h:53
     wire [1:0] chosen_6 = test_8 ? {1'd0, shifted_7} : 2'd2;  // reciprocal.h:53
-    wire [2:0] chosen_7 = test_4 ? 3'd5 : 3'd6;  // birdseye.h:42
-    wire [2:0] chosen_8 = test_5_s3 ? 3'd4 : chosen_7_s3;  // birdseye.h:42
+    wire [2:0] chosen_7 = test_4_s3 ? 3'd5 : 3'd6;  // birdseye.h:42
+    wire [2:0] chosen_8 = test_5_s3 ? 3'd4 : chosen_7;  // birdseye.h:42
     wire [2:0] chosen_9 = test_6_s3 ? {1'd0, chosen_6_s3} : chosen_8;  // birdseye.h:42
     wire [2:0] chosen_10 = test_7_s3 ? 3'd3 : chosen_9;  // birdseye.h:42
     wire [30:0] value_19 = sum_3[30:0];  // reciprocal.h:55
@@ -183,7 +180,7 @@ module birdseye (
     wire [23:0] value_26 = shifted_6[23:0];  // birdseye.h:26
     wire [23:0] value_27 = value_26;  // birdseye.h:26
     wire test_9 = shifted_6_s5 == {{8{value_27_s5[23]}}, value_27_s5};  // birdseye.h:26
-    wire test_10 = {{18{value_14_s3[24]}}, value_14_s3} == shifted_4_s3;  // birdseye.h:26
+    wire test_10 = {{18{value_14[24]}}, value_14} == shifted_4_s3;  // birdseye.h:26
     wire both_11 = on_floor & test_10_s5;  // birdseye.h:61
     wire both_12 = both_11 & test_9;  // birdseye.h:61
     wire [31:0] value_28 = value_18;  // birdseye.h:26
@@ -206,8 +203,8 @@ module birdseye (
     wire [23:0] both_17 = shifted_6[23:0];  // birdseye.h:69
     wire [92:0] shifted_18 = {both_17, 69'd0};  // birdseye.h:69
     wire [92:0] either_5 = {24'd0, either_4} | shifted_18;  // birdseye.h:69
-    wire [93:0] chosen_12 = contact_11 ? 94'h200000000000000000000000 : 94'd0;  // birdseye.h:69
-    wire [93:0] either_6 = {1'd0, either_5} | chosen_12_s4;  // birdseye.h:69
+    wire [93:0] chosen_12 = contact_11_s4 ? 94'h200000000000000000000000 : 94'd0;  // birdseye.h:69
+    wire [93:0] either_6 = {1'd0, either_5} | chosen_12;  // birdseye.h:69
     wire [94:0] points_write_2_of0 = both_14_s5 ? 95'h400000000000000000000000 : {1'd0, either_6_s5};  // birdseye.h:65
     wire points_write_2_any1 = both_16 | both_14_s5;  // birdseye.h:65
     wire [1:0] sum_5 = row + 2'd1;  // birdseye.h:73
@@ -426,18 +423,20 @@ module birdseye (
             test_s3 <= test_s2;
             test_s4 <= test_s3;
             test_s5 <= test_s4;
+            contact_11_s2 <= contact_11_s1;
+            contact_11_s3 <= contact_11_s2;
+            contact_11_s4 <= contact_11_s3;
+            test_2_s2 <= test_2_s1;
             value_6_s2 <= value_6;
             value_7_s2 <= value_7;
-            value_9_s2 <= value_9_s1;
             shifted_4_s3 <= shifted_4;
-            value_14_s3 <= value_14;
-            value_14_s4 <= value_14_s3;
+            value_14_s4 <= value_14;
             shifted_6_s5 <= shifted_6;
+            test_4_s3 <= test_4;
             test_5_s3 <= test_5;
             test_6_s3 <= test_6;
             test_7_s3 <= test_7;
             chosen_6_s3 <= chosen_6;
-            chosen_7_s3 <= chosen_7;
             value_19_s3 <= value_19;
             shifted_11_s4 <= shifted_11;
             value_27_s5 <= value_27;
@@ -457,22 +456,17 @@ module birdseye (
             either_3_s2 <= either_3_s1;
             either_3_s3 <= either_3_s2;
             either_3_s4 <= either_3_s3;
-            chosen_12_s2 <= chosen_12_s1;
-            chosen_12_s3 <= chosen_12_s2;
-            chosen_12_s4 <= chosen_12_s3;
             either_6_s5 <= either_6;
         end
         if (while_2_front_ce) begin
             test_s1 <= test;
             contact_9_s1 <= contact_9;
-            value_2_s1 <= value_2;
+            contact_11_s1 <= contact_11;
+            test_2_s1 <= test_2;
             value_3_s1 <= value_3;
-            value_4_s1 <= value_4;
-            value_9_s1 <= value_9;
             both_14_s1 <= both_14;
             both_15_s1 <= both_15;
             either_3_s1 <= either_3;
-            chosen_12_s1 <= chosen_12;
         end
     end
 

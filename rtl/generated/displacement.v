@@ -63,21 +63,23 @@ module displacement (
     reg [11:0] gradients_15;
     reg [11:0] gradients_16;
     reg windows_wait;
-    reg at_4;
-    reg [11:0] at_5;
-    reg [11:0] at_6;
+    reg at_3;
+    reg [8:0] at_4;
+    reg [9:0] at_5;
     reg [23:0] bound;
     reg [2:0] for_2_active;  // stages at work
     reg measured_q;
-    reg [11:0] at_q;
-    reg [11:0] at_2_q;
+    reg [9:0] at_q;
+    reg [8:0] at_2_q;
+    reg [7:0] chosen_s1;
+    reg test_2_s1;
     reg either_s1;
     reg either_s2;
-    reg [23:0] value_13_s1;
+    reg test_6_s1;
+    reg test_7_s1;
     reg [11:0] difference_4_s1;
-    reg [27:0] shifted_2_s1;
-    reg [28:0] shifted_3_s1;
     reg [1:0] chosen_9_s2;
+    reg both_s1;
     reg either_2_s1;
     reg either_2_s2;
 
@@ -87,67 +89,68 @@ module displacement (
 
     // displacement.h:69:33: entry
     wire measured = parameters_noise_V == 8'd255;  // displacement.h:70
-    wire [11:0] at = width + 12'd4095;  // raster.h:21
-    wire [11:0] at_2 = height + 12'd4095;  // raster.h:21
-    wire at_3 = height != 12'd0;  // raster.h:21
+    wire [9:0] value = width[9:0];  // raster.h:26
+    wire [9:0] at = value + 10'd1023;  // raster.h:26
+    wire [8:0] value_2 = height[8:0];  // raster.h:26
+    wire [8:0] at_2 = value_2 + 9'd511;  // raster.h:26
 
     // displacement.h:74:3: loop for_2, II = 1, 3 stages
     wire [15:0] in_data = in_dout;  // displacement.h:78
     wire [7:0] value_4 = in_data[7:0];  // displacement.h:78
     wire [7:0] shifted = in_data[15:8];  // displacement.h:78
-    wire [7:0] change = at_4 ? value_4 : 8'd0;  // displacement.h:78
-    wire [7:0] change_2 = at_4 ? shifted : 8'd0;  // displacement.h:78
+    wire [7:0] change = at_3 ? value_4 : 8'd0;  // displacement.h:78
+    wire [7:0] change_2 = at_3 ? shifted : 8'd0;  // displacement.h:78
     wire [7:0] difference = change - parameters_noise_V;  // displacement.h:57
     wire test = change < parameters_noise_V;  // displacement.h:57
     wire [7:0] chosen = test ? 8'd0 : difference;  // displacement.h:57
-    wire test_2 = at_6 == 12'd0;  // displacement.h:40
-    wire [11:0] chosen_2 = test_2 ? differences_16 : differences_2;  // displacement.h:40
-    wire [11:0] sum = differences_16 + {4'd0, chosen};  // displacement.h:41
-    wire test_3 = at_6 > 12'd6;  // displacement.h:44
+    wire test_2 = at_5 == 10'd0;  // displacement.h:40
+    wire [11:0] chosen_2 = test_2_s1 ? differences_16 : differences_2;  // displacement.h:40
+    wire [11:0] sum = differences_16 + {4'd0, chosen_s1};  // displacement.h:41
     wire [7:0] difference_2 = change_2 - parameters_noise_V;  // displacement.h:57
-    wire test_4 = change_2 < parameters_noise_V;  // displacement.h:57
-    wire [7:0] chosen_3 = test_4 ? 8'd0 : difference_2;  // displacement.h:57
+    wire test_3 = change_2 < parameters_noise_V;  // displacement.h:57
+    wire [7:0] chosen_3 = test_3 ? 8'd0 : difference_2;  // displacement.h:57
     wire [11:0] gradients_17 = test_2 ? gradients_16 : gradients_2;  // displacement.h:40
     wire [11:0] sum_2 = gradients_16 + {4'd0, chosen_3};  // displacement.h:41
-    wire test_5 = at_5 != 12'd0;  // displacement.h:85
-    wire either = test_5 | test_3;  // displacement.h:85
-    wire [11:0] sum_3 = at_6 + 12'd4089;  // displacement.h:44
-    wire test_6 = sum_3 < 12'd8;  // displacement.h:44
+    wire test_4 = at_4 != 9'd0;  // displacement.h:85
+    wire test_5 = at_5 > 10'd6;  // displacement.h:85
+    wire either = test_4 | test_5;  // displacement.h:85
+    wire [9:0] sum_3 = at_5 + 10'd1017;  // displacement.h:44
+    wire test_6 = sum_3 < 10'd8;  // displacement.h:44
     wire [11:0] chosen_4 = test_6 ? gradients_17 : gradients;  // displacement.h:44
-    wire test_7 = at_6 < 12'd7;  // displacement.h:43
+    wire test_7 = at_5 < 10'd7;  // displacement.h:43
     wire [11:0] chosen_5 = test_7 ? gradients_17 : sum_2;  // displacement.h:43
-    wire [11:0] chosen_6 = test_7 ? chosen_2 : sum;  // displacement.h:43
-    wire [11:0] chosen_7 = test_6 ? chosen_2 : differences;  // displacement.h:44
+    wire [11:0] chosen_6 = test_7_s1 ? chosen_2 : sum;  // displacement.h:43
+    wire [11:0] chosen_7 = test_6_s1 ? chosen_2 : differences;  // displacement.h:44
     wire [11:0] difference_3 = chosen_6 - chosen_7;  // displacement.h:51
     wire [23:0] value_13 = bound;  // displacement.h:81
     wire [11:0] difference_4 = chosen_5 - chosen_4;  // displacement.h:51
-    wire [35:0] product = $signed(value_13_s1) * $signed({1'd0, difference_4_s1});  // displacement.h:81
+    wire [35:0] product = $signed(value_13) * $signed({1'd0, difference_4_s1});  // displacement.h:81
     wire [27:0] shifted_2 = {difference_3, 16'd0};  // displacement.h:82
-    wire test_8 = $signed(product) < $signed({8'd0, shifted_2_s1});  // displacement.h:82
+    wire test_8 = $signed(product) < $signed({8'd0, shifted_2});  // displacement.h:82
     wire [28:0] shifted_3 = {difference_3, 17'd0};  // displacement.h:83
-    wire test_9 = $signed(product) < $signed({7'd0, shifted_3_s1});  // displacement.h:83
+    wire test_9 = $signed(product) < $signed({7'd0, shifted_3});  // displacement.h:83
     wire [1:0] chosen_8 = test_8 ? 2'd3 : {1'd0, test_9};  // displacement.h:84
     wire [1:0] chosen_9 = measured_q ? 2'd2 : chosen_8;  // displacement.h:85
-    wire test_10 = at_6 == 12'd6;
-    wire both_2 = test_5 & test_10;  // displacement.h:86
-    wire [23:0] chosen_10 = both_2 ? parameters_bound_step_V : 24'd0;  // displacement.h:87
+    wire test_10 = at_5 == 10'd6;  // displacement.h:86
+    wire both = test_4 & test_10;  // displacement.h:86
+    wire [23:0] chosen_10 = both_s1 ? parameters_bound_step_V : 24'd0;  // displacement.h:87
     wire [23:0] bound_2 = bound + chosen_10;  // displacement.h:87
-    wire chosen_11 = at_4 ? windows_wait : 1'd0;  // displacement.h:88
-    wire windows_wait_2 = both_2 ? chosen_11 : windows_wait;  // displacement.h:88
-    wire test_11 = at_6 == at_q;  // raster.h:23
-    wire test_12 = at_5 != at_2_q;  // raster.h:27
-    wire both_3 = at_4 & test_12;  // raster.h:27
-    wire [11:0] sum_4 = at_6 + 12'd1;  // raster.h:27
-    wire [11:0] at_7 = test_11 ? 12'd0 : sum_4;  // raster.h:27
-    wire [11:0] at_8 = at_5 + {11'd0, test_11};  // raster.h:27
-    wire at_9 = test_11 ? both_3 : at_4;  // raster.h:27
-    wire either_2 = at_9 | windows_wait_2;  // displacement.h:74
+    wire chosen_11 = at_3 ? windows_wait : 1'd0;  // displacement.h:88
+    wire windows_wait_2 = both ? chosen_11 : windows_wait;  // displacement.h:88
+    wire test_11 = at_5 == at_q;  // raster.h:28
+    wire test_12 = at_4 != at_2_q;  // raster.h:32
+    wire both_2 = at_3 & test_12;  // raster.h:32
+    wire [9:0] sum_4 = at_5 + 10'd1;  // raster.h:32
+    wire [9:0] at_6 = test_11 ? 10'd0 : sum_4;  // raster.h:32
+    wire [8:0] at_7 = at_4 + {8'd0, test_11};  // raster.h:32
+    wire at_8 = test_11 ? both_2 : at_3;  // raster.h:32
+    wire either_2 = at_8 | windows_wait_2;  // displacement.h:74
 
     assign stall = 1'b0;
     assign for_2_ce = ~((for_2_active[2] & either_s2 & ~out_full_n));
-    assign for_2_front_ce = for_2_ce & ~((for_2_active[0] & at_4 & ~in_empty_n));
+    assign for_2_front_ce = for_2_ce & ~((for_2_active[0] & at_3 & ~in_empty_n));
 
-    assign in_read = (for_2_active[0] & for_2_front_ce & at_4);
+    assign in_read = (for_2_active[0] & for_2_front_ce & at_3);
     assign out_write = (for_2_active[2] & for_2_ce & either_s2);
     assign out_din = chosen_9_s2;
 
@@ -163,22 +166,22 @@ module displacement (
             for_2_active[1] <= for_2_active[0] & for_2_front_ce;
             for_2_active[2] <= for_2_active[1];
         end
-        if (for_2_active[0] & for_2_front_ce) differences <= differences_3;
-        if (for_2_active[0] & for_2_front_ce) differences_2 <= chosen_2;
-        if (for_2_active[0] & for_2_front_ce) differences_3 <= differences_4;
-        if (for_2_active[0] & for_2_front_ce) differences_4 <= differences_5;
-        if (for_2_active[0] & for_2_front_ce) differences_5 <= differences_6;
-        if (for_2_active[0] & for_2_front_ce) differences_6 <= differences_7;
-        if (for_2_active[0] & for_2_front_ce) differences_7 <= differences_8;
-        if (for_2_active[0] & for_2_front_ce) differences_8 <= differences_9;
-        if (for_2_active[0] & for_2_front_ce) differences_9 <= differences_10;
-        if (for_2_active[0] & for_2_front_ce) differences_10 <= differences_11;
-        if (for_2_active[0] & for_2_front_ce) differences_11 <= differences_12;
-        if (for_2_active[0] & for_2_front_ce) differences_12 <= differences_13;
-        if (for_2_active[0] & for_2_front_ce) differences_13 <= differences_14;
-        if (for_2_active[0] & for_2_front_ce) differences_14 <= differences_15;
-        if (for_2_active[0] & for_2_front_ce) differences_15 <= differences_16;
-        if (for_2_active[0] & for_2_front_ce) differences_16 <= sum;
+        if (for_2_active[1] & for_2_ce) differences <= differences_3;
+        if (for_2_active[1] & for_2_ce) differences_2 <= chosen_2;
+        if (for_2_active[1] & for_2_ce) differences_3 <= differences_4;
+        if (for_2_active[1] & for_2_ce) differences_4 <= differences_5;
+        if (for_2_active[1] & for_2_ce) differences_5 <= differences_6;
+        if (for_2_active[1] & for_2_ce) differences_6 <= differences_7;
+        if (for_2_active[1] & for_2_ce) differences_7 <= differences_8;
+        if (for_2_active[1] & for_2_ce) differences_8 <= differences_9;
+        if (for_2_active[1] & for_2_ce) differences_9 <= differences_10;
+        if (for_2_active[1] & for_2_ce) differences_10 <= differences_11;
+        if (for_2_active[1] & for_2_ce) differences_11 <= differences_12;
+        if (for_2_active[1] & for_2_ce) differences_12 <= differences_13;
+        if (for_2_active[1] & for_2_ce) differences_13 <= differences_14;
+        if (for_2_active[1] & for_2_ce) differences_14 <= differences_15;
+        if (for_2_active[1] & for_2_ce) differences_15 <= differences_16;
+        if (for_2_active[1] & for_2_ce) differences_16 <= sum;
         if (for_2_active[0] & for_2_front_ce) gradients <= gradients_3;
         if (for_2_active[0] & for_2_front_ce) gradients_2 <= gradients_17;
         if (for_2_active[0] & for_2_front_ce) gradients_3 <= gradients_4;
@@ -196,10 +199,10 @@ module displacement (
         if (for_2_active[0] & for_2_front_ce) gradients_15 <= gradients_16;
         if (for_2_active[0] & for_2_front_ce) gradients_16 <= sum_2;
         if (for_2_active[0] & for_2_front_ce) windows_wait <= windows_wait_2;
-        if (for_2_active[0] & for_2_front_ce) at_4 <= at_9;
-        if (for_2_active[0] & for_2_front_ce) at_5 <= at_8;
-        if (for_2_active[0] & for_2_front_ce) at_6 <= at_7;
-        if (for_2_active[0] & for_2_front_ce) bound <= bound_2;
+        if (for_2_active[0] & for_2_front_ce) at_3 <= at_8;
+        if (for_2_active[0] & for_2_front_ce) at_4 <= at_7;
+        if (for_2_active[0] & for_2_front_ce) at_5 <= at_6;
+        if (for_2_active[1] & for_2_ce) bound <= bound_2;
         case (state)
             S_IDLE: if (ap_start) begin
                 state <= S_ENTRY;
@@ -240,9 +243,9 @@ module displacement (
                 gradients_15 <= 12'd0;
                 gradients_16 <= 12'd0;
                 windows_wait <= 1'd1;
-                at_4 <= at_3;
-                at_5 <= 12'd0;
-                at_6 <= 12'd0;
+                at_3 <= 1'd1;
+                at_4 <= 9'd0;
+                at_5 <= 10'd0;
                 bound <= parameters_bound_V;
             end
             S_FOR_2: if (for_2_active[2] & for_2_ce & ~either_2_s2) begin
@@ -262,11 +265,13 @@ module displacement (
         if ((state == S_ENTRY) & ~stall) at_q <= at;
         if ((state == S_ENTRY) & ~stall) at_2_q <= at_2;
         if (for_2_front_ce) begin
+            chosen_s1 <= chosen;
+            test_2_s1 <= test_2;
             either_s1 <= either;
-            value_13_s1 <= value_13;
+            test_6_s1 <= test_6;
+            test_7_s1 <= test_7;
             difference_4_s1 <= difference_4;
-            shifted_2_s1 <= shifted_2;
-            shifted_3_s1 <= shifted_3;
+            both_s1 <= both;
             either_2_s1 <= either_2;
         end
         if (for_2_ce) begin

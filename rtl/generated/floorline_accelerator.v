@@ -605,17 +605,19 @@ module floorline_accelerator (
         .cluster_gap(cluster_gap),
         .cluster_min_lines(cluster_min_lines)
     );
+    wire run_waits;
+    reg [12:0] taken;  // instances that have the scalars of the next run
 
     wire luma_start, luma_done, luma_start_free;
     wire [24:0] luma_scalars;
-    scalar_fifo #(
+    fifo #(
         .WIDTH(25),
-        .DEPTH(4)
+        .DEPTH(1)
     ) luma_starts (
         .clk(ap_clk),
         .rst(rst),
         .s_data({luma_grey, luma_height, luma_width}),
-        .s_valid(run_starts),
+        .s_valid(run_waits & ~taken[0]),
         .s_ready(luma_start_free),
         .m_data(luma_scalars),
         .m_valid(luma_start),
@@ -642,14 +644,14 @@ module floorline_accelerator (
 
     wire frame_ring_start, frame_ring_done, frame_ring_start_free;
     wire [312:0] frame_ring_scalars;
-    scalar_fifo #(
+    fifo #(
         .WIDTH(313),
-        .DEPTH(4)
+        .DEPTH(1)
     ) frame_ring_starts (
         .clk(ap_clk),
         .rst(rst),
         .s_data({frame_ring_homography_z1_V, frame_ring_homography_zv_V, frame_ring_homography_zu_V, frame_ring_homography_y1_V, frame_ring_homography_yv_V, frame_ring_homography_yu_V, frame_ring_homography_x1_V, frame_ring_homography_xv_V, frame_ring_homography_xu_V, frame_ring_replace_reference, frame_ring_height, frame_ring_width}),
-        .s_valid(run_starts),
+        .s_valid(run_waits & ~taken[1]),
         .s_ready(frame_ring_start_free),
         .m_data(frame_ring_scalars),
         .m_valid(frame_ring_start),
@@ -688,14 +690,14 @@ module floorline_accelerator (
 
     wire difference_start, difference_done, difference_start_free;
     wire [23:0] difference_scalars;
-    scalar_fifo #(
+    fifo #(
         .WIDTH(24),
-        .DEPTH(4)
+        .DEPTH(1)
     ) difference_starts (
         .clk(ap_clk),
         .rst(rst),
         .s_data({difference_height, difference_width}),
-        .s_valid(run_starts),
+        .s_valid(run_waits & ~taken[2]),
         .s_ready(difference_start_free),
         .m_data(difference_scalars),
         .m_valid(difference_start),
@@ -724,14 +726,14 @@ module floorline_accelerator (
 
     wire displacement_start, displacement_done, displacement_start_free;
     wire [79:0] displacement_scalars;
-    scalar_fifo #(
+    fifo #(
         .WIDTH(80),
-        .DEPTH(4)
+        .DEPTH(1)
     ) displacement_starts (
         .clk(ap_clk),
         .rst(rst),
         .s_data({displacement_parameters_bound_step_V, displacement_parameters_bound_V, displacement_parameters_noise_V, displacement_height, displacement_width}),
-        .s_valid(run_starts),
+        .s_valid(run_waits & ~taken[3]),
         .s_ready(displacement_start_free),
         .m_data(displacement_scalars),
         .m_valid(displacement_start),
@@ -760,14 +762,14 @@ module floorline_accelerator (
 
     wire gaussian_start, gaussian_done, gaussian_start_free;
     wire [23:0] gaussian_scalars;
-    scalar_fifo #(
+    fifo #(
         .WIDTH(24),
-        .DEPTH(4)
+        .DEPTH(1)
     ) gaussian_starts (
         .clk(ap_clk),
         .rst(rst),
         .s_data({gaussian_height, gaussian_width}),
-        .s_valid(run_starts),
+        .s_valid(run_waits & ~taken[4]),
         .s_ready(gaussian_start_free),
         .m_data(gaussian_scalars),
         .m_valid(gaussian_start),
@@ -793,14 +795,14 @@ module floorline_accelerator (
 
     wire otsu_start, otsu_done, otsu_start_free;
     wire [23:0] otsu_scalars;
-    scalar_fifo #(
+    fifo #(
         .WIDTH(24),
-        .DEPTH(4)
+        .DEPTH(1)
     ) otsu_starts (
         .clk(ap_clk),
         .rst(rst),
         .s_data({otsu_height, otsu_width}),
-        .s_valid(run_starts),
+        .s_valid(run_waits & ~taken[5]),
         .s_ready(otsu_start_free),
         .m_data(otsu_scalars),
         .m_valid(otsu_start),
@@ -829,14 +831,14 @@ module floorline_accelerator (
 
     wire binarize_start, binarize_done, binarize_start_free;
     wire [47:0] binarize_scalars;
-    scalar_fifo #(
+    fifo #(
         .WIDTH(48),
-        .DEPTH(4)
+        .DEPTH(1)
     ) binarize_starts (
         .clk(ap_clk),
         .rst(rst),
         .s_data({binarize_parameters_low_V, binarize_parameters_override_high_V, binarize_parameters_floor_V, binarize_height, binarize_width}),
-        .s_valid(run_starts),
+        .s_valid(run_waits & ~taken[6]),
         .s_ready(binarize_start_free),
         .m_data(binarize_scalars),
         .m_valid(binarize_start),
@@ -871,14 +873,14 @@ module floorline_accelerator (
 
     wire erode_start, erode_done, erode_start_free;
     wire [24:0] erode_scalars;
-    scalar_fifo #(
+    fifo #(
         .WIDTH(25),
-        .DEPTH(4)
+        .DEPTH(1)
     ) erode_starts (
         .clk(ap_clk),
         .rst(rst),
         .s_data({erode_erode_high, erode_height, erode_width}),
-        .s_valid(run_starts),
+        .s_valid(run_waits & ~taken[7]),
         .s_ready(erode_start_free),
         .m_data(erode_scalars),
         .m_valid(erode_start),
@@ -905,14 +907,14 @@ module floorline_accelerator (
 
     wire roi_start, roi_done, roi_start_free;
     wire [47:0] roi_scalars;
-    scalar_fifo #(
+    fifo #(
         .WIDTH(48),
-        .DEPTH(4)
+        .DEPTH(1)
     ) roi_starts (
         .clk(ap_clk),
         .rst(rst),
         .s_data({roi_last_row, roi_first_row, roi_height, roi_width}),
-        .s_valid(run_starts),
+        .s_valid(run_waits & ~taken[8]),
         .s_ready(roi_start_free),
         .m_data(roi_scalars),
         .m_valid(roi_start),
@@ -940,14 +942,14 @@ module floorline_accelerator (
 
     wire polar_start, polar_done, polar_start_free;
     wire [80:0] polar_scalars;
-    scalar_fifo #(
+    fifo #(
         .WIDTH(81),
-        .DEPTH(4)
+        .DEPTH(1)
     ) polar_starts (
         .clk(ap_clk),
         .rst(rst),
         .s_data({polar_rule_height_ratio_V, polar_rule_horizon_row_V, polar_rule_max_gap_V, polar_rule_min_rows_V, polar_rule_run_rule_V, polar_line_count, polar_height, polar_width}),
-        .s_valid(run_starts),
+        .s_valid(run_waits & ~taken[9]),
         .s_ready(polar_start_free),
         .m_data(polar_scalars),
         .m_valid(polar_start),
@@ -988,14 +990,14 @@ module floorline_accelerator (
 
     wire birdseye_start, birdseye_done, birdseye_start_free;
     wire [287:0] birdseye_scalars;
-    scalar_fifo #(
+    fifo #(
         .WIDTH(288),
-        .DEPTH(4)
+        .DEPTH(1)
     ) birdseye_starts (
         .clk(ap_clk),
         .rst(rst),
         .s_data({birdseye_map_z1_V, birdseye_map_zv_V, birdseye_map_zu_V, birdseye_map_y1_V, birdseye_map_yv_V, birdseye_map_yu_V, birdseye_map_x1_V, birdseye_map_xv_V, birdseye_map_xu_V}),
-        .s_valid(run_starts),
+        .s_valid(run_waits & ~taken[10]),
         .s_ready(birdseye_start_free),
         .m_data(birdseye_scalars),
         .m_valid(birdseye_start),
@@ -1029,12 +1031,12 @@ module floorline_accelerator (
     wire duplicate_start, duplicate_done, duplicate_start_free;
     fifo #(
         .WIDTH(1),
-        .DEPTH(2)
+        .DEPTH(1)
     ) duplicate_starts (
         .clk(ap_clk),
         .rst(rst),
         .s_data(1'b0),
-        .s_valid(run_starts),
+        .s_valid(run_waits & ~taken[11]),
         .s_ready(duplicate_start_free),
         .m_data(),
         .m_valid(duplicate_start),
@@ -1061,14 +1063,14 @@ module floorline_accelerator (
 
     wire cluster_start, cluster_done, cluster_start_free;
     wire [40:0] cluster_scalars;
-    scalar_fifo #(
+    fifo #(
         .WIDTH(41),
-        .DEPTH(4)
+        .DEPTH(1)
     ) cluster_starts (
         .clk(ap_clk),
         .rst(rst),
         .s_data({cluster_min_lines, cluster_gap, cluster_line_count}),
-        .s_valid(run_starts),
+        .s_valid(run_waits & ~taken[12]),
         .s_ready(cluster_start_free),
         .m_data(cluster_scalars),
         .m_valid(cluster_start),
@@ -1093,57 +1095,63 @@ module floorline_accelerator (
         .min_lines(cluster_scalars[40:33])
     );
 
-    // Runs that an instance has finished and the region has not; at most 7 are under way.
-    reg [2:0] finished_0;
-    reg [2:0] finished_1;
-    reg [2:0] finished_2;
-    reg [2:0] finished_3;
-    reg [2:0] finished_4;
-    reg [2:0] finished_5;
-    reg [2:0] finished_6;
-    reg [2:0] finished_7;
-    reg [2:0] finished_8;
-    reg [2:0] finished_9;
-    reg [2:0] finished_10;
-    reg [2:0] finished_11;
-    reg [2:0] finished_12;
-    reg [2:0] under_way;
-    assign starts_free = luma_start_free & frame_ring_start_free & difference_start_free & displacement_start_free & gaussian_start_free & otsu_start_free & binarize_start_free & erode_start_free & roi_start_free & polar_start_free & birdseye_start_free & duplicate_start_free & cluster_start_free & (under_way != 3'd7);
-    wire run_done = (finished_0 != 3'd0) & (finished_1 != 3'd0) & (finished_2 != 3'd0) & (finished_3 != 3'd0) & (finished_4 != 3'd0) & (finished_5 != 3'd0) & (finished_6 != 3'd0) & (finished_7 != 3'd0) & (finished_8 != 3'd0) & (finished_9 != 3'd0) & (finished_10 != 3'd0) & (finished_11 != 3'd0) & (finished_12 != 3'd0);
+    // Runs that an instance has finished and the region has not; at most 3 are under way.
+    reg [1:0] finished_0;
+    reg [1:0] finished_1;
+    reg [1:0] finished_2;
+    reg [1:0] finished_3;
+    reg [1:0] finished_4;
+    reg [1:0] finished_5;
+    reg [1:0] finished_6;
+    reg [1:0] finished_7;
+    reg [1:0] finished_8;
+    reg [1:0] finished_9;
+    reg [1:0] finished_10;
+    reg [1:0] finished_11;
+    reg [1:0] finished_12;
+    reg [1:0] under_way;
+    wire [12:0] takes = taken | {cluster_start_free, duplicate_start_free, birdseye_start_free, polar_start_free, roi_start_free, erode_start_free, binarize_start_free, otsu_start_free, gaussian_start_free, displacement_start_free, difference_start_free, frame_ring_start_free, luma_start_free};
+    assign run_waits = ap_start & (under_way != 2'd3);
+    assign starts_free = (&takes) & (under_way != 2'd3);
+    always @(posedge ap_clk) begin
+        if (run_starts | rst) taken <= 13'd0;
+        else if (run_waits) taken <= takes;
+    end
+    wire run_done = (finished_0 != 2'd0) & (finished_1 != 2'd0) & (finished_2 != 2'd0) & (finished_3 != 2'd0) & (finished_4 != 2'd0) & (finished_5 != 2'd0) & (finished_6 != 2'd0) & (finished_7 != 2'd0) & (finished_8 != 2'd0) & (finished_9 != 2'd0) & (finished_10 != 2'd0) & (finished_11 != 2'd0) & (finished_12 != 2'd0);
     wire run_leaves = run_done & 1'b1;
     assign ap_done = run_done;
     assign ap_ready = run_starts;
-    assign ap_idle = (under_way == 3'd0);
+    assign ap_idle = (under_way == 2'd0);
     always @(posedge ap_clk) begin
-        finished_0 <= finished_0 + {2'd0, luma_done} - {2'd0, run_leaves};
-        finished_1 <= finished_1 + {2'd0, frame_ring_done} - {2'd0, run_leaves};
-        finished_2 <= finished_2 + {2'd0, difference_done} - {2'd0, run_leaves};
-        finished_3 <= finished_3 + {2'd0, displacement_done} - {2'd0, run_leaves};
-        finished_4 <= finished_4 + {2'd0, gaussian_done} - {2'd0, run_leaves};
-        finished_5 <= finished_5 + {2'd0, otsu_done} - {2'd0, run_leaves};
-        finished_6 <= finished_6 + {2'd0, binarize_done} - {2'd0, run_leaves};
-        finished_7 <= finished_7 + {2'd0, erode_done} - {2'd0, run_leaves};
-        finished_8 <= finished_8 + {2'd0, roi_done} - {2'd0, run_leaves};
-        finished_9 <= finished_9 + {2'd0, polar_done} - {2'd0, run_leaves};
-        finished_10 <= finished_10 + {2'd0, birdseye_done} - {2'd0, run_leaves};
-        finished_11 <= finished_11 + {2'd0, duplicate_done} - {2'd0, run_leaves};
-        finished_12 <= finished_12 + {2'd0, cluster_done} - {2'd0, run_leaves};
-        under_way <= under_way + {2'd0, run_starts} - {2'd0, run_leaves};
+        finished_0 <= finished_0 + {1'd0, luma_done} - {1'd0, run_leaves};
+        finished_1 <= finished_1 + {1'd0, frame_ring_done} - {1'd0, run_leaves};
+        finished_2 <= finished_2 + {1'd0, difference_done} - {1'd0, run_leaves};
+        finished_3 <= finished_3 + {1'd0, displacement_done} - {1'd0, run_leaves};
+        finished_4 <= finished_4 + {1'd0, gaussian_done} - {1'd0, run_leaves};
+        finished_5 <= finished_5 + {1'd0, otsu_done} - {1'd0, run_leaves};
+        finished_6 <= finished_6 + {1'd0, binarize_done} - {1'd0, run_leaves};
+        finished_7 <= finished_7 + {1'd0, erode_done} - {1'd0, run_leaves};
+        finished_8 <= finished_8 + {1'd0, roi_done} - {1'd0, run_leaves};
+        finished_9 <= finished_9 + {1'd0, polar_done} - {1'd0, run_leaves};
+        finished_10 <= finished_10 + {1'd0, birdseye_done} - {1'd0, run_leaves};
+        finished_11 <= finished_11 + {1'd0, duplicate_done} - {1'd0, run_leaves};
+        finished_12 <= finished_12 + {1'd0, cluster_done} - {1'd0, run_leaves};
+        under_way <= under_way + {1'd0, run_starts} - {1'd0, run_leaves};
         if (rst) begin
-            under_way <= 3'd0;
-            finished_0 <= 3'd0;
-            finished_1 <= 3'd0;
-            finished_2 <= 3'd0;
-            finished_3 <= 3'd0;
-            finished_4 <= 3'd0;
-            finished_5 <= 3'd0;
-            finished_6 <= 3'd0;
-            finished_7 <= 3'd0;
-            finished_8 <= 3'd0;
-            finished_9 <= 3'd0;
-            finished_10 <= 3'd0;
-            finished_11 <= 3'd0;
-            finished_12 <= 3'd0;
+            under_way <= 2'd0;
+            finished_0 <= 2'd0;
+            finished_1 <= 2'd0;
+            finished_2 <= 2'd0;
+            finished_3 <= 2'd0;
+            finished_4 <= 2'd0;
+            finished_5 <= 2'd0;
+            finished_6 <= 2'd0;
+            finished_7 <= 2'd0;
+            finished_8 <= 2'd0;
+            finished_9 <= 2'd0;
+            finished_10 <= 2'd0;
+            finished_11 <= 2'd0;
+            finished_12 <= 2'd0;
         end
     end
 

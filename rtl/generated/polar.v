@@ -53,9 +53,9 @@ module polar (
     reg [3:0] taps_6;
     reg steps_wait;
     reg [11:0] high_before;
-    reg [11:0] at_4;
-    reg [11:0] at_5;
-    reg at_6;
+    reg at_3;
+    reg [9:0] at_4;
+    reg [8:0] at_5;
     reg [5:0] for_2_active;  // stages at work
     wire [110:0] lines_q = lines_q0;
     wire [15:0] left_columns_q;
@@ -64,18 +64,15 @@ module polar (
     reg [8:0] walked_q;
     reg [9:0] tail_q;
     reg [9:0] last_step_q;
-    reg [11:0] sum_2_q;
-    reg [9:0] at_q;
-    reg [11:0] at_2_q;
+    reg [9:0] sum_2_q;
+    reg [8:0] at_2_q;
     reg [9:0] sum_3_q;
+    reg [8:0] at_5_s1;
     reg differs_s1;
-    reg [11:0] sum_10_s1;
-    reg [11:0] sum_10_s2;
-    reg [11:0] sum_10_s3;
-    reg both_7_s1;
-    reg both_7_s2;
-    reg both_9_s1;
-    reg both_9_s2;
+    reg [9:0] sum_10_s2;
+    reg [9:0] sum_10_s3;
+    reg both_8_s1;
+    reg both_8_s2;
     reg [7:0] sum_11_s1;
     reg [7:0] sum_11_s2;
     reg [7:0] sum_11_s3;
@@ -107,84 +104,42 @@ module polar (
     reg [1:0] step_4_s3;
     reg test_15_s2;
     reg [11:0] run_2_s2;
-    reg [12:0] difference_s2;
-    reg [12:0] sum_14_s2;
     reg test_17_s2;
-    reg differs_6_s2;
-    reg [11:0] value_37_s2;
+    reg [11:0] advance_s3;
+    reg [11:0] value_41_s2;
     reg [11:0] difference_2_s2;
+    reg both_22_s2;
+    reg both_22_s3;
+    reg both_22_s4;
     reg both_23_s2;
     reg both_23_s3;
-    reg both_23_s4;
-    reg both_24_s2;
-    reg both_24_s3;
-    reg both_27_s3;
-    reg test_25_s2;
-    reg test_25_s3;
+    reg both_26_s3;
     reg either_8_s2;
     reg either_8_s3;
     reg either_8_s4;
-    reg test_26_s2;
-    reg test_26_s3;
-    reg both_30_s2;
-    reg both_30_s3;
-    reg [11:0] chosen_24_s2;
-    reg [11:0] chosen_24_s3;
-    reg [11:0] sum_21_s2;
-    reg [11:0] sum_21_s3;
-    reg [2:0] stirring_before_s2;
-    reg [2:0] stirring_before_s3;
-    reg [2:0] chosen_26_s2;
-    reg [2:0] chosen_26_s3;
-    reg test_32_s2;
-    reg test_32_s3;
-    reg [2:0] sum_23_s2;
-    reg [2:0] sum_23_s3;
-    reg both_43_s2;
-    reg both_43_s3;
     reg [1:0] chosen_29_s4;
     reg [11:0] next_2_s4;
+    reg [12:0] next_3_s4;
     reg [2:0] next_5_s4;
     reg next_6_s4;
     reg [11:0] difference_5_s4;
-    reg [11:0] chosen_30_s1;
-    reg [11:0] chosen_30_s2;
-    reg [11:0] chosen_30_s3;
-    reg [11:0] chosen_30_s4;
     reg brmerge_s4;
     reg [11:0] difference_6_s4;
     reg [11:0] chosen_31_s4;
-    reg [12:0] value_66_s1;
-    reg [12:0] value_66_s2;
-    reg [12:0] value_66_s3;
-    reg [12:0] value_66_s4;
-    reg [13:0] product_2_s4;
+    reg test_37_s5;
+    reg test_38_s5;
     reg test_39_s4;
-    reg differs_11_s2;
-    reg differs_11_s3;
-    reg differs_11_s4;
     reg either_17_s5;
-    reg test_40_s4;
     reg test_40_s5;
-    reg differs_12_s1;
-    reg differs_12_s2;
-    reg differs_12_s3;
-    reg differs_12_s4;
-    reg both_54_s5;
-    reg both_59_s5;
-    reg [32:0] either_19_s4;
+    reg both_53_s5;
+    reg both_56_s5;
     reg [45:0] either_21_s5;
-    reg both_64_s1;
-    reg both_64_s2;
-    reg both_64_s3;
-    reg both_64_s4;
+    reg both_63_s2;
+    reg both_63_s3;
+    reg both_63_s4;
     reg test_41_s2;
     reg test_41_s3;
-    reg [19:0] shifted_21_s4;
-    reg [20:0] chosen_36_s1;
-    reg [20:0] chosen_36_s2;
-    reg [20:0] chosen_36_s3;
-    reg [20:0] chosen_36_s4;
+    reg [11:0] chosen_35_s4;
     reg either_26_s1;
     reg either_26_s2;
     reg either_26_s3;
@@ -193,16 +148,10 @@ module polar (
     reg [11:0] states_13_store_0_s4;
     reg [11:0] states_13_store_2_s4;
     reg [11:0] states_13_store_3_s4;
-    reg [11:0] states_13_store_4_s4;
-    reg [12:0] states_13_store_5_s4;
     reg [2:0] states_13_store_6_s4;
-    reg [2:0] states_13_store_7_s4;
-    reg states_13_store_8_s4;
     reg [11:0] states_13_store_9_s3;
     reg [11:0] states_13_store_9_s4;
-    reg [12:0] states_13_store_10_s3;
     reg [12:0] states_13_store_10_s4;
-    reg states_13_store_11_s2;
     reg states_13_store_11_s3;
     reg states_13_store_11_s4;
 
@@ -223,54 +172,54 @@ module polar (
 
     // polar.h:254:12: if_2
 
-    // raster.h:21:39: CYCLES
-    wire [11:0] sum_2 = width + 12'd4095;  // raster.h:21
-    wire [9:0] at = sum_2[9:0];  // raster.h:21
-    wire [11:0] at_2 = height + 12'd4095;  // raster.h:21
-    wire at_3 = height != 12'd0;  // raster.h:21
+    // raster.h:26:39: CYCLES
+    wire [9:0] value_7 = width[9:0];  // raster.h:26
+    wire [9:0] sum_2 = value_7 + 10'd1023;  // raster.h:26
+    wire [8:0] value_8 = height[8:0];  // raster.h:26
+    wire [8:0] at_2 = value_8 + 9'd511;  // raster.h:26
     wire [9:0] sum_3 = {1'd0, walked_q} + 10'd1023;
 
     // polar.h:260:3: loop for_2, II = 1, 6 stages
-    wire differs = ~at_6;
+    wire differs = ~at_3;
     wire [1:0] mask_data = mask_dout;  // polar.h:272
     wire [1:0] motions_data = motions_dout;  // polar.h:273
     wire [3:0] shifted = {motions_data, 2'd0};  // polar.h:273
     wire [3:0] either = shifted | {2'd0, mask_data};  // polar.h:273
-    wire [3:0] pixel = at_6 ? either : 4'd0;  // polar.h:273
-    wire test_4 = at_4 < 12'd3;  // polar.h:276
+    wire [3:0] pixel = at_3 ? either : 4'd0;  // polar.h:273
+    wire test_4 = at_4 < 10'd3;  // polar.h:276
     wire [9:0] chosen = test_4 ? width[9:0] : 10'd0;  // polar.h:277
-    wire [9:0] centre = at_4[9:0] + chosen;  // polar.h:277
-    wire value_12 = at_5[0];  // polar.h:278
-    wire [1:0] value_13 = taps_4[1:0];  // polar.h:280
-    wire [1:0] both_6 = value_13 & 2'd2;  // polar.h:280
-    wire shifted_2 = both_6[1];  // polar.h:280
+    wire [9:0] centre = chosen + at_4;  // polar.h:277
+    wire value_15 = at_5[0];  // polar.h:278
+    wire [1:0] value_16 = taps_4[1:0];  // polar.h:280
+    wire [1:0] both_5 = value_16 & 2'd2;  // polar.h:280
+    wire shifted_2 = both_5[1];  // polar.h:280
     wire [1:0] extract = pixel[1:0];  // polar.h:120
     wire [1:0] chosen_2 = test_4 ? 2'd0 : extract;  // polar.h:120
-    wire [11:0] sum_4 = at_4 + 12'd4095;  // polar.h:120
-    wire test_5 = sum_4 < 12'd2;  // polar.h:120
+    wire [9:0] sum_4 = at_4 + 10'd1023;  // polar.h:120
+    wire test_5 = sum_4 < 10'd2;  // polar.h:120
     wire [1:0] extract_2 = taps_6[1:0];
     wire [1:0] chosen_3 = test_5 ? 2'd0 : extract_2;  // polar.h:120
     wire [1:0] either_2 = chosen_3 | chosen_2;  // polar.h:130
-    wire test_6 = at_4 == 12'd2;  // polar.h:120
+    wire test_6 = at_4 == 10'd2;  // polar.h:120
     wire [1:0] extract_3 = taps_5[1:0];  // polar.h:120
     wire [1:0] chosen_4 = test_6 ? 2'd0 : extract_3;  // polar.h:120
     wire [1:0] either_3 = chosen_4 | either_2;  // polar.h:130
     wire [1:0] extract_4 = taps_4[1:0];  // polar.h:120
-    wire test_7 = at_4 == 12'd3;  // polar.h:119
+    wire test_7 = at_4 == 10'd3;  // polar.h:119
     wire [1:0] chosen_5 = test_7 ? 2'd0 : taps_3;  // polar.h:120
     wire [1:0] either_4 = either_3 | chosen_5;  // polar.h:130
-    wire [11:0] sum_5 = at_4 + 12'd4091;  // polar.h:119
-    wire test_8 = sum_5 < 12'd4094;  // polar.h:119
+    wire [9:0] sum_5 = at_4 + 10'd1019;  // polar.h:119
+    wire test_8 = sum_5 < 10'd1022;  // polar.h:119
     wire [1:0] chosen_6 = test_8 ? taps_2 : 2'd0;  // polar.h:120
     wire [1:0] either_5 = either_4 | chosen_6;  // polar.h:130
-    wire [11:0] sum_6 = at_4 + 12'd4090;  // polar.h:119
-    wire test_9 = sum_6 < 12'd4093;  // polar.h:119
+    wire [9:0] sum_6 = at_4 + 10'd1018;  // polar.h:119
+    wire test_9 = sum_6 < 10'd1021;  // polar.h:119
     wire [1:0] chosen_7 = test_9 ? taps : 2'd0;  // polar.h:120
     wire [1:0] either_6 = either_5 | chosen_7;  // polar.h:130
     wire [1:0] either_7 = either_6 | extract_4;  // polar.h:130
     wire [9:0] centre_2 = centre + 10'd1021;  // polar.h:277
-    wire differs_2 = test_4 ^ value_12;  // polar.h:278
-    wire test_10 = both_6 != 2'd0;  // polar.h:280
+    wire differs_2 = test_4 ^ value_15;  // polar.h:278
+    wire test_10 = both_5 != 2'd0;  // polar.h:280
     wire shifted_3 = extract_3[1];  // polar.h:133
     wire shifted_4 = taps_3[1];  // polar.h:133
     wire chosen_8 = test_6 ? 1'd0 : shifted_3;  // polar.h:133
@@ -292,16 +241,16 @@ module polar (
     wire [16:0] right_columns_3_store_word = {right_columns_3_store_3, right_columns_3_store_2, right_columns_3_store_1, right_columns_3_store_0};  // polar.h:283
     wire [11:0] sum_9 = high_before + {11'd0, shifted_2};  // polar.h:284
     wire [11:0] chosen_10 = test_6 ? 12'd0 : sum_9;  // polar.h:284
-    wire [11:0] sum_10 = at_5 + 12'd4095;  // polar.h:287
-    wire both_7 = sum_10[0];  // polar.h:288
-    wire test_11 = at_5 != 12'd0;  // polar.h:289
-    wire test_12 = at_4 > 12'd4;
-    wire both_8 = test_11 & test_12;  // polar.h:289
-    wire test_13 = at_4 < {2'd0, tail_q};
-    wire both_9 = both_8 & test_13;  // polar.h:289
-    wire differs_3 = ~both_9;  // polar.h:273
-    wire [7:0] value_23 = at_4[7:0];  // polar.h:290
-    wire [7:0] sum_11 = value_23 + 8'd251;  // polar.h:290
+    wire [9:0] sum_10 = {1'd0, at_5_s1} + 10'd1023;  // polar.h:287
+    wire [11:0] value_26 = {{2{sum_10_s3[9]}}, sum_10_s3};  // polar.h:287
+    wire both_6 = sum_10_s2[0];  // polar.h:288
+    wire test_11 = at_5 != 9'd0;  // polar.h:289
+    wire test_12 = at_4 > 10'd4;
+    wire both_7 = test_11 & test_12;  // polar.h:289
+    wire test_13 = tail_q > at_4;
+    wire both_8 = both_7 & test_13;  // polar.h:289
+    wire [7:0] value_27 = at_4[7:0];  // polar.h:290
+    wire [7:0] sum_11 = value_27 + 8'd251;  // polar.h:290
     wire [110:0] lines_word = lines_q;  // polar.h:291
     wire [11:0] shifted_6 = lines_word[24:13];  // polar.h:291
     wire [11:0] shifted_7 = lines_word[36:25];  // polar.h:291
@@ -339,62 +288,62 @@ module polar (
     wire [26:0] states_13_data_8_above = states_4_data_element[95:69];  // polar.h:141
     wire states_13_data_8_part = states_13_data_8_above[0];  // polar.h:141
     wire states_13_data = states_13_data_8_part;  // polar.h:141
-    wire test_14 = sum_10_s1 == shifted_6;  // polar.h:142
+    wire test_14 = {{2{sum_10[9]}}, sum_10} == shifted_6;  // polar.h:142
     wire [25:0] states_1_data_9_above = states_4_data_element[95:70];
     wire [11:0] states_1_data_9_part = states_1_data_9_above[11:0];
     wire [11:0] states_1_data = states_1_data_9_part;
     wire [13:0] states_0_data_10_above = states_4_data_element[95:82];
     wire [12:0] states_0_data_10_part = states_0_data_10_above[12:0];
     wire [12:0] states_0_data = states_0_data_10_part;
-    wire differs_4 = ~test_14;
-    wire both_11 = both_9_s1 & differs_4;
+    wire differs_3 = ~test_14;
+    wire both_10 = both_8_s1 & differs_3;
     wire [11:0] shifted_15 = lines_word[108:97];
     wire [12:0] lines_word_2 = lines_word[12:0];
-    wire [12:0] step = both_11 ? states_0_data : lines_word_2;
-    wire [11:0] step_2 = both_11 ? states_1_data : shifted_15;
-    wire [11:0] step_3 = both_11 ? states_4_data : 12'd0;
-    wire [1:0] step_4 = both_11 ? states_5_data : 2'd0;
+    wire [12:0] step = both_10 ? states_0_data : lines_word_2;
+    wire [11:0] step_2 = both_10 ? states_1_data : shifted_15;
+    wire [11:0] step_3 = both_10 ? states_4_data : 12'd0;
+    wire [1:0] step_4 = both_10 ? states_5_data : 2'd0;
     wire test_15 = shifted_10 == 12'd0;  // polar.h:149
-    wire both_13 = both_9_s1 & test_15;
+    wire both_12 = both_8_s1 & test_15;
     wire states_2_data_11_above = states_4_data_element[95];  // polar.h:149
     wire states_2_data_11_part = states_2_data_11_above;  // polar.h:149
     wire states_2_data = states_2_data_11_part;  // polar.h:149
     wire [11:0] sum_12 = shifted_10 + {11'd0, states_2_data};  // polar.h:149
-    wire [11:0] run = both_13 ? 12'd1 : sum_12;  // polar.h:149
+    wire [11:0] run = both_12 ? 12'd1 : sum_12;  // polar.h:149
     wire [11:0] chosen_11 = test_14 ? shifted_8 : run;  // polar.h:150
-    wire test_16 = sum_10_s1 == shifted_7;  // polar.h:151
+    wire test_16 = {{2{sum_10[9]}}, sum_10} == shifted_7;  // polar.h:151
     wire [11:0] run_2 = test_16 ? shifted_9 : chosen_11;  // polar.h:151
-    wire [12:0] difference = step - {1'd0, run_2};  // polar.h:154
-    wire [12:0] sum_13 = difference_s2 + 13'd1;  // polar.h:154
+    wire [12:0] difference = step_s2 - {1'd0, run_2_s2};  // polar.h:154
+    wire [12:0] sum_13 = difference + 13'd1;  // polar.h:154
     wire [12:0] chosen_12 = shifted_13_s2 ? sum_13 : step_s2;  // polar.h:154
-    wire [12:0] sum_14 = {1'd0, run_2} + step;  // polar.h:155
-    wire [12:0] sum_15 = sum_14_s2 + 13'd8191;  // polar.h:155
+    wire [12:0] sum_14 = {1'd0, run_2_s2} + step_s2;  // polar.h:155
+    wire [12:0] sum_15 = sum_14 + 13'd8191;  // polar.h:155
     wire [12:0] chosen_13 = shifted_13_s2 ? step_s2 : sum_15;  // polar.h:155
     wire [12:0] sum_16 = {1'd0, step_2} + {1'd0, shifted_11};  // polar.h:157
     wire test_17 = sum_16 >= {1'd0, shifted_12};  // polar.h:158
     wire [11:0] advance = test_15_s2 ? {11'd0, test_17_s2} : run_2_s2;  // polar.h:159
-    wire differs_6 = ~test_17;  // polar.h:149
-    wire both_20 = both_9_s2 & differs_6_s2;  // polar.h:149
-    wire [11:0] value_37 = sum_16[11:0];  // polar.h:160
-    wire [11:0] value_38 = sum_16[11:0];  // polar.h:160
-    wire [11:0] difference_2 = value_38 - shifted_12;  // polar.h:160
-    wire [11:0] chosen_14 = both_20 ? value_37_s2 : difference_2_s2;  // polar.h:149
-    wire [12:0] difference_3 = 13'd0 - {1'd0, advance};  // polar.h:162
-    wire [12:0] chosen_15 = shifted_13_s2 ? difference_3 : {1'd0, advance};  // polar.h:162
-    wire [12:0] sum_17 = chosen_15 + step_s2;  // polar.h:162
-    wire test_18 = sum_10_s1 >= shifted_6;  // polar.h:294
-    wire test_19 = sum_10_s1 <= shifted_7;
-    wire both_22 = test_18 & test_19;  // polar.h:294
-    wire both_23 = both_9_s1 & both_22;  // polar.h:149
-    wire differs_7 = ~both_22;  // polar.h:149
-    wire both_24 = both_9_s1 & differs_7;  // polar.h:149
+    wire differs_5 = ~test_17_s2;  // polar.h:149
+    wire both_19 = both_8_s2 & differs_5;  // polar.h:149
+    wire [11:0] value_41 = sum_16[11:0];  // polar.h:160
+    wire [11:0] value_42 = sum_16[11:0];  // polar.h:160
+    wire [11:0] difference_2 = value_42 - shifted_12;  // polar.h:160
+    wire [11:0] chosen_14 = both_19 ? value_41_s2 : difference_2_s2;  // polar.h:149
+    wire [12:0] difference_3 = 13'd0 - {1'd0, advance_s3};  // polar.h:162
+    wire [12:0] chosen_15 = shifted_13_s3 ? difference_3 : {1'd0, advance_s3};  // polar.h:162
+    wire [12:0] sum_17 = chosen_15 + step_s3;  // polar.h:162
+    wire test_18 = {{2{sum_10[9]}}, sum_10} >= shifted_6;  // polar.h:294
+    wire test_19 = {{2{sum_10[9]}}, sum_10} <= shifted_7;
+    wire both_21 = test_18 & test_19;  // polar.h:294
+    wire both_22 = both_8_s1 & both_21;  // polar.h:149
+    wire differs_6 = ~both_21;  // polar.h:149
+    wire both_23 = both_8_s1 & differs_6;  // polar.h:149
     wire test_20 = $signed(chosen_12) < $signed(13'd0);  // polar.h:168
     wire test_21 = $signed(chosen_12) < $signed({1'd0, width});  // polar.h:168
-    wire [9:0] value_43 = chosen_12[9:0];  // polar.h:168
-    wire [9:0] chosen_16 = test_21 ? value_43 : at_q;  // polar.h:168
+    wire [9:0] value_47 = chosen_12[9:0];  // polar.h:168
+    wire [9:0] chosen_16 = test_21 ? value_47 : sum_2_q;  // polar.h:168
     wire [9:0] chosen_17 = test_20 ? 10'd0 : chosen_16;  // polar.h:295
     wire [10:0] index_3 = {chosen_17, 1'd0};  // polar.h:295
-    wire [10:0] index_4 = {10'd0, both_7_s2} + index_3;  // polar.h:295
+    wire [10:0] index_4 = {10'd0, both_6} + index_3;  // polar.h:295
     wire [15:0] left_columns_2_data_element = left_columns_q;  // polar.h:295
     wire [3:0] left_columns_2_data_1_above = left_columns_2_data_element[15:12];  // polar.h:295
     wire [1:0] left_columns_2_data_1_part = left_columns_2_data_1_above[1:0];  // polar.h:295
@@ -404,11 +353,11 @@ module polar (
     wire [1:0] left_columns_3_data = left_columns_3_data_2_part;  // polar.h:295
     wire test_22 = $signed(chosen_13) < $signed(13'd0);  // polar.h:168
     wire test_23 = $signed(chosen_13) < $signed({1'd0, width});  // polar.h:168
-    wire [9:0] value_46 = chosen_13[9:0];  // polar.h:168
-    wire [9:0] chosen_18 = test_23 ? value_46 : at_q;  // polar.h:168
+    wire [9:0] value_50 = chosen_13[9:0];  // polar.h:168
+    wire [9:0] chosen_18 = test_23 ? value_50 : sum_2_q;  // polar.h:168
     wire [9:0] chosen_19 = test_22 ? 10'd0 : chosen_18;  // polar.h:296
     wire [10:0] index_5 = {chosen_19, 1'd0};  // polar.h:296
-    wire [10:0] index_6 = {10'd0, both_7_s2} + index_5;  // polar.h:296
+    wire [10:0] index_6 = {10'd0, both_6} + index_5;  // polar.h:296
     wire [16:0] right_columns_2_data_element = right_columns_q;  // polar.h:296
     wire [3:0] right_columns_2_data_2_above = right_columns_2_data_element[16:13];  // polar.h:296
     wire [1:0] right_columns_2_data_2_part = right_columns_2_data_2_above[1:0];  // polar.h:296
@@ -417,9 +366,9 @@ module polar (
     wire [1:0] right_columns_3_data_3_part = right_columns_3_data_3_above;  // polar.h:296
     wire [1:0] right_columns_3_data = right_columns_3_data_3_part;  // polar.h:296
     wire test_24 = $signed(chosen_13) > $signed(13'd8191);
-    wire both_25 = test_21 & test_24;  // polar.h:297
-    wire differs_8 = ~both_25;  // polar.h:296
-    wire both_27 = both_23_s2 & differs_8;  // polar.h:296
+    wire both_24 = test_21 & test_24;  // polar.h:297
+    wire differs_7 = ~both_24;  // polar.h:296
+    wire both_26 = both_22_s2 & differs_7;  // polar.h:296
     wire [11:0] left_columns_0_data_0_part = left_columns_2_data_element[11:0];  // polar.h:295
     wire [11:0] left_columns_0_data = left_columns_0_data_0_part;  // polar.h:295
     wire [4:0] right_columns_1_data_1_above = right_columns_2_data_element[16:12];  // polar.h:296
@@ -430,139 +379,139 @@ module polar (
     wire [11:0] sum_18 = right_columns_0_data + {11'd0, right_columns_1_data};  // polar.h:298
     wire [11:0] difference_4 = sum_18 - left_columns_0_data;  // polar.h:298
     wire [11:0] sum_19 = difference_4 + step_3_s3;  // polar.h:298
-    wire [11:0] next = both_27_s3 ? step_3_s3 : sum_19;  // polar.h:296
+    wire [11:0] next = both_26_s3 ? step_3_s3 : sum_19;  // polar.h:296
     wire [1:0] chosen_20 = shifted_13_s3 ? right_columns_2_data : left_columns_2_data;  // polar.h:299
-    wire test_25 = {1'd0, width} > step;  // polar.h:300
+    wire test_25 = {1'd0, width} > step_s3;  // polar.h:300
     wire either_8 = test_16 | differs_s1;  // polar.h:301
-    wire [1:0] chosen_21 = test_25_s3 ? chosen_20 : 2'd0;  // polar.h:304
-    wire test_26 = step_4 != 2'd0;  // polar.h:183
-    wire both_30 = rule_run_rule_V & shifted_14;  // polar.h:184
-    wire both_31 = chosen_21[0];
-    wire [1:0] chosen_22 = rule_run_rule_V ? {1'd0, both_31} : chosen_21;  // polar.h:185
+    wire [1:0] chosen_21 = test_25 ? chosen_20 : 2'd0;  // polar.h:304
+    wire test_26 = step_4_s3 != 2'd0;  // polar.h:183
+    wire both_29 = rule_run_rule_V & shifted_14_s3;  // polar.h:184
+    wire both_30 = chosen_21[0];
+    wire [1:0] chosen_22 = rule_run_rule_V ? {1'd0, both_30} : chosen_21;  // polar.h:185
     wire test_27 = chosen_22 == 2'd0;  // polar.h:186
-    wire both_33 = both_23_s3 & test_27;  // polar.h:184
-    wire differs_9 = ~test_27;  // polar.h:184
-    wire both_34 = both_23_s3 & differs_9;  // polar.h:184
+    wire both_32 = both_22_s3 & test_27;  // polar.h:184
+    wire differs_8 = ~test_27;  // polar.h:184
+    wire both_33 = both_22_s3 & differs_8;  // polar.h:184
     wire [1:0] chosen_23 = shifted_13_s3 ? right_columns_3_data : left_columns_3_data;  // polar.h:299
-    wire [11:0] chosen_24 = test_26 ? states_9_data : 12'd0;  // polar.h:187
+    wire [11:0] chosen_24 = test_26 ? states_9_data_s3 : 12'd0;  // polar.h:187
     wire shifted_16 = chosen_21[1];  // polar.h:187
-    wire [11:0] sum_20 = chosen_24_s3 + {11'd0, shifted_16};  // polar.h:187
+    wire [11:0] sum_20 = chosen_24 + {11'd0, shifted_16};  // polar.h:187
     wire test_28 = chosen_21 > step_4_s3;  // polar.h:188
-    wire [11:0] sum_21 = states_9_data + 12'd1;  // polar.h:188
-    wire [11:0] triangle = test_28 ? 12'd0 : sum_21_s3;  // polar.h:188
+    wire [11:0] sum_21 = states_9_data_s3 + 12'd1;  // polar.h:188
+    wire [11:0] triangle = test_28 ? 12'd0 : sum_21;  // polar.h:188
     wire [11:0] chosen_25 = rule_run_rule_V ? sum_20 : triangle;  // polar.h:189
-    wire [2:0] stirring_before = test_26 ? states_12_data : 3'd0;  // polar.h:191
+    wire [2:0] stirring_before = test_26 ? states_12_data_s3 : 3'd0;  // polar.h:191
     wire test_29 = chosen_23 == 2'd3;  // polar.h:192
-    wire both_37 = both_34 & test_29;  // polar.h:184
-    wire [2:0] still_before = test_26 ? states_11_data : 3'd0;  // polar.h:190
+    wire both_36 = both_33 & test_29;  // polar.h:184
+    wire [2:0] still_before = test_26 ? states_11_data_s3 : 3'd0;  // polar.h:190
     wire test_30 = still_before == 3'd7;  // polar.h:175
     wire [2:0] sum_22 = still_before + 3'd1;  // polar.h:175
     wire [2:0] chosen_26 = test_30 ? still_before : sum_22;  // polar.h:175
-    wire [2:0] chosen_27 = both_37 ? 3'd0 : chosen_26_s3;  // polar.h:184
+    wire [2:0] chosen_27 = both_36 ? 3'd0 : chosen_26;  // polar.h:184
     wire test_31 = chosen_23 == 2'd0;  // polar.h:193
-    wire both_40 = both_34 & test_31;  // polar.h:184
+    wire both_39 = both_33 & test_31;  // polar.h:184
     wire test_32 = stirring_before == 3'd7;  // polar.h:175
     wire [2:0] sum_23 = stirring_before + 3'd1;  // polar.h:175
-    wire either_9 = both_40 | test_32_s3;  // polar.h:184
-    wire [2:0] chosen_28 = either_9 ? stirring_before_s3 : sum_23_s3;  // polar.h:184
+    wire either_9 = both_39 | test_32;  // polar.h:184
+    wire [2:0] chosen_28 = either_9 ? stirring_before : sum_23;  // polar.h:184
     wire test_33 = chosen_23 == 2'd2;
     wire either_10 = test_31 | test_33;  // polar.h:194
-    wire both_43 = test_26 & both_30;  // polar.h:196
-    wire [1:0] chosen_29 = both_33 ? step_4_s3 : chosen_22;  // polar.h:184
-    wire [11:0] next_2 = both_33 ? states_9_data_s3 : chosen_25;  // polar.h:184
-    wire either_11 = both_33 | both_43_s3;  // polar.h:184
+    wire both_42 = test_26 & both_29;  // polar.h:196
+    wire [1:0] chosen_29 = both_32 ? step_4_s3 : chosen_22;  // polar.h:184
+    wire [11:0] next_2 = both_32 ? states_9_data_s3 : chosen_25;  // polar.h:184
+    wire either_11 = both_32 | both_42;  // polar.h:184
     wire [12:0] next_3 = either_11 ? states_10_data_s3 : step_s3;  // polar.h:184
-    wire [2:0] next_4 = both_33 ? states_11_data_s3 : chosen_27;  // polar.h:184
-    wire [2:0] next_5 = both_33 ? states_12_data_s3 : chosen_28;  // polar.h:184
-    wire next_6 = both_33 ? states_13_data_s3 : either_10;  // polar.h:184
-    wire [11:0] next_7 = both_33 ? states_8_data_s3 : sum_10_s3;  // polar.h:184
-    wire either_12 = both_33 | test_26_s3;  // polar.h:184
-    wire [11:0] next_8 = either_12 ? states_7_data_s3 : sum_10_s3;  // polar.h:184
-    wire [11:0] difference_5 = sum_10_s3 - next_7;  // polar.h:199
+    wire [2:0] next_4 = both_32 ? states_11_data_s3 : chosen_27;  // polar.h:184
+    wire [2:0] next_5 = both_32 ? states_12_data_s3 : chosen_28;  // polar.h:184
+    wire next_6 = both_32 ? states_13_data_s3 : either_10;  // polar.h:184
+    wire [11:0] next_7 = both_32 ? states_8_data_s3 : value_26;  // polar.h:184
+    wire either_12 = both_32 | test_26;  // polar.h:184
+    wire [11:0] next_8 = either_12 ? states_7_data_s3 : value_26;  // polar.h:184
+    wire [11:0] difference_5 = {{2{sum_10_s3[9]}}, sum_10_s3} - next_7;  // polar.h:199
     wire [11:0] chosen_30 = rule_run_rule_V ? rule_max_gap_V : 12'd0;  // polar.h:200
-    wire test_34 = difference_5_s4 > chosen_30_s4;  // polar.h:200
+    wire test_34 = difference_5_s4 > chosen_30;  // polar.h:200
     wire [1:0] either_13 = step_4_s3 | chosen_22;  // polar.h:201
     wire brmerge = either_13 != 2'd0;  // polar.h:201
     wire either_14 = test_34 | either_8_s4;
-    wire both_45 = brmerge_s4 & either_14;  // polar.h:201
-    wire [1:0] next_9 = both_45 ? 2'd0 : chosen_29_s4;  // polar.h:202
+    wire both_44 = brmerge_s4 & either_14;  // polar.h:201
+    wire [1:0] next_9 = both_44 ? 2'd0 : chosen_29_s4;  // polar.h:202
     wire [11:0] difference_6 = next_7 - next_8;  // polar.h:208
     wire [11:0] sum_24 = difference_6_s4 + 12'd1;  // polar.h:208
-    wire [11:0] chosen_31 = both_30_s3 ? next_8 : next_7;  // polar.h:209
-    wire [12:0] value_66 = rule_horizon_row_V;  // polar.h:210
-    wire [13:0] difference_7 = {2'd0, chosen_31_s4} - {{1{value_66_s4[12]}}, value_66_s4};  // polar.h:210
-    wire [13:0] value_67 = difference_7;  // polar.h:210
-    wire [23:0] product = $signed(value_67) * $signed({1'd0, rule_height_ratio_V});  // polar.h:210
+    wire [11:0] chosen_31 = both_29 ? next_8 : next_7;  // polar.h:209
+    wire [12:0] value_70 = rule_horizon_row_V;  // polar.h:210
+    wire [13:0] difference_7 = {2'd0, chosen_31_s4} - {{1{value_70[12]}}, value_70};  // polar.h:210
+    wire [13:0] value_71 = difference_7;  // polar.h:210
+    wire [23:0] product = $signed(value_71) * $signed({1'd0, rule_height_ratio_V});  // polar.h:210
     wire [15:0] shifted_17 = product[23:8];  // polar.h:210
     wire test_35 = sum_24 >= rule_min_rows_V;  // polar.h:211
     wire test_36 = $signed(shifted_17) <= $signed({4'd0, sum_24});
-    wire [12:0] product_2_shifted_1 = {next_2, 1'd0};  // polar.h:211
-    wire [13:0] product_2 = {1'd0, product_2_shifted_1} + {2'd0, next_2};  // polar.h:211
-    wire test_37 = product_2_s4 >= {2'd0, sum_24};  // polar.h:211
+    wire [12:0] product_2_shifted_1 = {next_2_s4, 1'd0};  // polar.h:211
+    wire [13:0] product_2 = {1'd0, product_2_shifted_1} + {2'd0, next_2_s4};  // polar.h:211
+    wire test_37 = product_2 >= {2'd0, sum_24};  // polar.h:211
     wire test_38 = next_5_s4 == 3'd7;  // polar.h:212
     wire test_39 = next_4 == 3'd7;  // polar.h:213
-    wire both_51 = test_39_s4 & next_6_s4;  // polar.h:213
-    wire differs_10 = ~test_34;
-    wire differs_11 = ~both_23;  // polar.h:211
-    wire either_15 = differs_11_s4 | both_51;  // polar.h:211
+    wire both_50 = test_39_s4 & next_6_s4;  // polar.h:213
+    wire differs_9 = ~test_34;
+    wire differs_10 = ~both_22_s4;  // polar.h:211
+    wire either_15 = differs_10 | both_50;  // polar.h:211
     wire either_16 = either_15 | shifted_14_s4;  // polar.h:211
-    wire either_17 = either_16 | differs_10;  // polar.h:211
+    wire either_17 = either_16 | differs_9;  // polar.h:211
     wire [11:0] chosen_32 = rule_run_rule_V ? sum_24 : next_2_s4;  // polar.h:219
-    wire both_52 = both_23_s4 & both_45;  // polar.h:211
-    wire test_40 = next_2 > 12'd4;  // polar.h:215
-    wire both_53 = both_52 & rule_run_rule_V;  // polar.h:211
-    wire differs_12 = ~rule_run_rule_V;  // polar.h:211
-    wire both_54 = both_52 & differs_12_s4;  // polar.h:211
-    wire both_55 = both_53 & both_23_s4;  // polar.h:211
-    wire both_56 = both_55 & test_35;  // polar.h:211
-    wire both_57 = both_56 & test_36;  // polar.h:211
-    wire both_58 = both_57 & test_37;  // polar.h:211
-    wire both_59 = both_58 & test_38;  // polar.h:211
-    wire both_60 = both_59_s5 & either_17_s5;  // polar.h:211
-    wire chosen_33 = both_54_s5 ? test_40_s5 : both_60;  // polar.h:211
-    wire [20:0] shifted_18 = {next_3, 8'd0};  // polar.h:306
-    wire [20:0] either_18 = shifted_18 | {13'd0, sum_11_s3};  // polar.h:306
-    wire [32:0] shifted_19 = {chosen_31, 21'd0};  // polar.h:306
+    wire both_51 = both_22_s4 & both_44;  // polar.h:211
+    wire test_40 = next_2_s4 > 12'd4;  // polar.h:215
+    wire both_52 = both_51 & rule_run_rule_V;  // polar.h:211
+    wire differs_11 = ~rule_run_rule_V;  // polar.h:211
+    wire both_53 = both_51 & differs_11;  // polar.h:211
+    wire both_54 = both_52 & both_22_s4;  // polar.h:211
+    wire both_55 = both_54 & test_35;  // polar.h:211
+    wire both_56 = both_55 & test_36;  // polar.h:211
+    wire both_57 = both_56_s5 & test_37_s5;  // polar.h:211
+    wire both_58 = both_57 & test_38_s5;  // polar.h:211
+    wire both_59 = both_58 & either_17_s5;  // polar.h:211
+    wire chosen_33 = both_53_s5 ? test_40_s5 : both_59;  // polar.h:211
+    wire [20:0] shifted_18 = {next_3_s4, 8'd0};  // polar.h:306
+    wire [20:0] either_18 = shifted_18 | {13'd0, sum_11_s4};  // polar.h:306
+    wire [32:0] shifted_19 = {chosen_31_s4, 21'd0};  // polar.h:306
     wire [32:0] either_19 = {12'd0, either_18} | shifted_19;  // polar.h:306
     wire [44:0] shifted_20 = {chosen_32, 33'd0};  // polar.h:306
-    wire [44:0] either_20 = {12'd0, either_19_s4} | shifted_20;  // polar.h:306
+    wire [44:0] either_20 = {12'd0, either_19} | shifted_20;  // polar.h:306
     wire [45:0] chosen_34 = test_34 ? 46'd0 : 46'h200000000000;  // polar.h:306
     wire [45:0] either_21 = {1'd0, either_20} | chosen_34;  // polar.h:306
     wire [11:0] states_13_store_0 = next;  // polar.h:308
     wire [1:0] states_13_store_1 = next_9;  // polar.h:308
     wire [11:0] states_13_store_2 = next_8;  // polar.h:308
     wire [11:0] states_13_store_3 = next_7;  // polar.h:308
-    wire [11:0] states_13_store_4 = next_2;  // polar.h:308
-    wire [12:0] states_13_store_5 = next_3;  // polar.h:308
+    wire [11:0] states_13_store_4 = next_2_s4;  // polar.h:308
+    wire [12:0] states_13_store_5 = next_3_s4;  // polar.h:308
     wire [2:0] states_13_store_6 = next_4;  // polar.h:308
-    wire [2:0] states_13_store_7 = next_5;  // polar.h:308
-    wire states_13_store_8 = next_6;  // polar.h:308
+    wire [2:0] states_13_store_7 = next_5_s4;  // polar.h:308
+    wire states_13_store_8 = next_6_s4;  // polar.h:308
     wire [11:0] states_13_store_9 = chosen_14;  // polar.h:308
     wire [12:0] states_13_store_10 = sum_17;  // polar.h:308
-    wire states_13_store_11 = test_17;  // polar.h:308
-    wire [95:0] states_13_store_word = {states_13_store_11_s4, states_13_store_10_s4, states_13_store_9_s4, states_13_store_8_s4, states_13_store_7_s4, states_13_store_6_s4, states_13_store_5_s4, states_13_store_4_s4, states_13_store_3_s4, states_13_store_2_s4, states_13_store_1, states_13_store_0_s4};  // polar.h:308
-    wire [11:0] next_10 = both_24_s3 ? step_3_s3 : next;  // polar.h:308
-    wire both_64 = both_9 & differs;  // polar.h:308
-    wire test_41 = sum_10_s1 < shifted_6;  // polar.h:311
-    wire test_42 = sum_3_q == {2'd0, sum_11};  // polar.h:311
+    wire states_13_store_11 = test_17_s2;  // polar.h:308
+    wire [95:0] states_13_store_word = {states_13_store_11_s4, states_13_store_10_s4, states_13_store_9_s4, states_13_store_8, states_13_store_7, states_13_store_6_s4, states_13_store_5, states_13_store_4, states_13_store_3_s4, states_13_store_2_s4, states_13_store_1, states_13_store_0_s4};  // polar.h:308
+    wire [11:0] next_10 = both_23_s3 ? step_3_s3 : next;  // polar.h:308
+    wire both_63 = both_8_s1 & differs_s1;  // polar.h:308
+    wire test_41 = {{2{sum_10[9]}}, sum_10} < shifted_6;  // polar.h:311
+    wire test_42 = sum_3_q == {2'd0, sum_11_s4};  // polar.h:311
     wire [11:0] chosen_35 = test_41_s3 ? 12'd0 : next_10;  // polar.h:312
-    wire [19:0] shifted_21 = {chosen_35, 8'd0};  // polar.h:312
-    wire [19:0] either_22 = shifted_21_s4 | {12'd0, sum_11_s4};  // polar.h:312
+    wire [19:0] shifted_21 = {chosen_35_s4, 8'd0};  // polar.h:312
+    wire [19:0] either_22 = shifted_21 | {12'd0, sum_11_s4};  // polar.h:312
     wire [20:0] chosen_36 = test_42 ? 21'd1048576 : 21'd0;  // polar.h:312
-    wire [20:0] either_23 = {1'd0, either_22} | chosen_36_s4;  // polar.h:312
-    wire either_24 = differs_3 | both_64;  // polar.h:312
-    wire test_43 = at_4 != {2'd0, last_step_q};
-    wire either_25 = test_43 | at_6;  // polar.h:315
-    wire chosen_37 = either_25 ? steps_wait : 1'd0;  // polar.h:315
-    wire steps_wait_2 = either_24 ? chosen_37 : steps_wait;  // polar.h:312
-    wire test_44 = at_4 == sum_2_q;  // raster.h:23
-    wire [11:0] sum_25 = at_4 + 12'd1;  // raster.h:32
-    wire test_45 = at_5 != at_2_q;
-    wire both_65 = at_6 & test_45;  // raster.h:28
-    wire at_7 = test_44 ? both_65 : at_6;  // polar.h:312
-    wire [11:0] at_8 = at_5 + {11'd0, test_44};  // polar.h:312
-    wire [11:0] at_9 = test_44 ? 12'd0 : sum_25;  // polar.h:312
-    wire either_26 = at_7 | steps_wait_2;  // polar.h:260
+    wire [20:0] either_23 = {1'd0, either_22} | chosen_36;  // polar.h:312
+    wire both_64 = at_3 & both_8;
+    wire test_43 = last_step_q != at_4;
+    wire either_24 = test_43 | at_3;  // polar.h:315
+    wire either_25 = both_64 | either_24;  // polar.h:312
+    wire steps_wait_2 = either_25 ? steps_wait : 1'd0;  // polar.h:312
+    wire test_44 = at_4 == sum_2_q;  // raster.h:28
+    wire test_45 = at_5 != at_2_q;  // raster.h:32
+    wire both_65 = at_3 & test_45;  // raster.h:32
+    wire [9:0] sum_25 = at_4 + 10'd1;  // raster.h:32
+    wire [8:0] at_6 = at_5 + {8'd0, test_44};  // raster.h:32
+    wire [9:0] at_7 = test_44 ? 10'd0 : sum_25;  // raster.h:32
+    wire at_8 = test_44 ? both_65 : at_3;  // raster.h:32
+    wire either_26 = at_8 | steps_wait_2;  // polar.h:260
 
     // polar.h:319:12: for_3
 
@@ -575,8 +524,8 @@ module polar (
     // memory states: 256 x 96
 
     assign stall = ((state == S_FOR_3) & ~contacts_full_n) | ((state == S_IF_2) & ~counts_full_n);
-    assign for_2_ce = ~((for_2_active[5] & chosen_33 & ~contacts_full_n) | (for_2_active[4] & both_64_s4 & ~counts_full_n));
-    assign for_2_front_ce = for_2_ce & ~((for_2_active[0] & at_6 & ~mask_empty_n) | (for_2_active[0] & at_6 & ~motions_empty_n));
+    assign for_2_ce = ~((for_2_active[5] & chosen_33 & ~contacts_full_n) | (for_2_active[4] & both_63_s4 & ~counts_full_n));
+    assign for_2_front_ce = for_2_ce & ~((for_2_active[0] & at_3 & ~mask_empty_n) | (for_2_active[0] & at_3 & ~motions_empty_n));
 
 
     assign lines_address0 = sum_11;
@@ -623,14 +572,14 @@ module polar (
             states_words[states_index] = 96'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if (for_2_active[4] & for_2_ce & both_23_s4) states_words[sum_11_s4] <= states_13_store_word;
+        if (for_2_active[4] & for_2_ce & both_22_s4) states_words[sum_11_s4] <= states_13_store_word;
         if (for_2_active[0] & for_2_front_ce) states_read <= states_words[sum_11];
     end
-    assign mask_read = (for_2_active[0] & for_2_front_ce & at_6);
-    assign motions_read = (for_2_active[0] & for_2_front_ce & at_6);
+    assign mask_read = (for_2_active[0] & for_2_front_ce & at_3);
+    assign motions_read = (for_2_active[0] & for_2_front_ce & at_3);
     assign contacts_write = (for_2_active[5] & for_2_ce & chosen_33) | ((state == S_FOR_3) & ~stall);
     assign contacts_din = (for_2_active[5] & chosen_33) ? {1'd0, either_21_s5} : 47'h400000000000;
-    assign counts_write = ((state == S_IF_2) & ~stall) | (for_2_active[4] & for_2_ce & both_64_s4);
+    assign counts_write = ((state == S_IF_2) & ~stall) | (for_2_active[4] & for_2_ce & both_63_s4);
     assign counts_din = ((state == S_IF_2)) ? 21'd1048576 : either_23;
 
     assign ap_idle = (state == S_IDLE);
@@ -656,9 +605,9 @@ module polar (
         if (for_2_active[0] & for_2_front_ce) taps_6 <= pixel;
         if (for_2_active[0] & for_2_front_ce) steps_wait <= steps_wait_2;
         if (for_2_active[0] & for_2_front_ce) high_before <= chosen_10;
-        if (for_2_active[0] & for_2_front_ce) at_4 <= at_9;
-        if (for_2_active[0] & for_2_front_ce) at_5 <= at_8;
-        if (for_2_active[0] & for_2_front_ce) at_6 <= at_7;
+        if (for_2_active[0] & for_2_front_ce) at_3 <= at_8;
+        if (for_2_active[0] & for_2_front_ce) at_4 <= at_7;
+        if (for_2_active[0] & for_2_front_ce) at_5 <= at_6;
         case (state)
             S_IDLE: if (ap_start) begin
                 state <= S_ENTRY;
@@ -684,9 +633,9 @@ module polar (
                 taps_6 <= 4'd0;
                 steps_wait <= 1'd1;
                 high_before <= 12'd0;
-                at_4 <= 12'd0;
-                at_5 <= 12'd0;
-                at_6 <= at_3;
+                at_3 <= 1'd1;
+                at_4 <= 10'd0;
+                at_5 <= 9'd0;
             end
             S_FOR_2: if (for_2_active[5] & for_2_ce & ~either_26_s5) begin
                 state <= S_FOR_3;
@@ -708,27 +657,19 @@ module polar (
         if ((state == S_ENTRY) & ~stall) tail_q <= tail;
         if ((state == S_ENTRY) & ~stall) last_step_q <= last_step;
         if ((state == S_CYCLES) & ~stall) sum_2_q <= sum_2;
-        if ((state == S_CYCLES) & ~stall) at_q <= at;
         if ((state == S_CYCLES) & ~stall) at_2_q <= at_2;
         if ((state == S_CYCLES) & ~stall) sum_3_q <= sum_3;
         if (for_2_front_ce) begin
+            at_5_s1 <= at_5;
             differs_s1 <= differs;
-            sum_10_s1 <= sum_10;
-            both_7_s1 <= both_7;
-            both_9_s1 <= both_9;
+            both_8_s1 <= both_8;
             sum_11_s1 <= sum_11;
-            chosen_30_s1 <= chosen_30;
-            value_66_s1 <= value_66;
-            differs_12_s1 <= differs_12;
-            both_64_s1 <= both_64;
-            chosen_36_s1 <= chosen_36;
             either_26_s1 <= either_26;
         end
         if (for_2_ce) begin
-            sum_10_s2 <= sum_10_s1;
+            sum_10_s2 <= sum_10;
             sum_10_s3 <= sum_10_s2;
-            both_7_s2 <= both_7_s1;
-            both_9_s2 <= both_9_s1;
+            both_8_s2 <= both_8_s1;
             sum_11_s2 <= sum_11_s1;
             sum_11_s3 <= sum_11_s2;
             sum_11_s4 <= sum_11_s3;
@@ -759,79 +700,42 @@ module polar (
             step_4_s3 <= step_4_s2;
             test_15_s2 <= test_15;
             run_2_s2 <= run_2;
-            difference_s2 <= difference;
-            sum_14_s2 <= sum_14;
             test_17_s2 <= test_17;
-            differs_6_s2 <= differs_6;
-            value_37_s2 <= value_37;
+            advance_s3 <= advance;
+            value_41_s2 <= value_41;
             difference_2_s2 <= difference_2;
+            both_22_s2 <= both_22;
+            both_22_s3 <= both_22_s2;
+            both_22_s4 <= both_22_s3;
             both_23_s2 <= both_23;
             both_23_s3 <= both_23_s2;
-            both_23_s4 <= both_23_s3;
-            both_24_s2 <= both_24;
-            both_24_s3 <= both_24_s2;
-            both_27_s3 <= both_27;
-            test_25_s2 <= test_25;
-            test_25_s3 <= test_25_s2;
+            both_26_s3 <= both_26;
             either_8_s2 <= either_8;
             either_8_s3 <= either_8_s2;
             either_8_s4 <= either_8_s3;
-            test_26_s2 <= test_26;
-            test_26_s3 <= test_26_s2;
-            both_30_s2 <= both_30;
-            both_30_s3 <= both_30_s2;
-            chosen_24_s2 <= chosen_24;
-            chosen_24_s3 <= chosen_24_s2;
-            sum_21_s2 <= sum_21;
-            sum_21_s3 <= sum_21_s2;
-            stirring_before_s2 <= stirring_before;
-            stirring_before_s3 <= stirring_before_s2;
-            chosen_26_s2 <= chosen_26;
-            chosen_26_s3 <= chosen_26_s2;
-            test_32_s2 <= test_32;
-            test_32_s3 <= test_32_s2;
-            sum_23_s2 <= sum_23;
-            sum_23_s3 <= sum_23_s2;
-            both_43_s2 <= both_43;
-            both_43_s3 <= both_43_s2;
             chosen_29_s4 <= chosen_29;
             next_2_s4 <= next_2;
+            next_3_s4 <= next_3;
             next_5_s4 <= next_5;
             next_6_s4 <= next_6;
             difference_5_s4 <= difference_5;
-            chosen_30_s2 <= chosen_30_s1;
-            chosen_30_s3 <= chosen_30_s2;
-            chosen_30_s4 <= chosen_30_s3;
             brmerge_s4 <= brmerge;
             difference_6_s4 <= difference_6;
             chosen_31_s4 <= chosen_31;
-            value_66_s2 <= value_66_s1;
-            value_66_s3 <= value_66_s2;
-            value_66_s4 <= value_66_s3;
-            product_2_s4 <= product_2;
+            test_37_s5 <= test_37;
+            test_38_s5 <= test_38;
             test_39_s4 <= test_39;
-            differs_11_s2 <= differs_11;
-            differs_11_s3 <= differs_11_s2;
-            differs_11_s4 <= differs_11_s3;
             either_17_s5 <= either_17;
-            test_40_s4 <= test_40;
-            test_40_s5 <= test_40_s4;
-            differs_12_s2 <= differs_12_s1;
-            differs_12_s3 <= differs_12_s2;
-            differs_12_s4 <= differs_12_s3;
-            both_54_s5 <= both_54;
-            both_59_s5 <= both_59;
-            either_19_s4 <= either_19;
+            test_40_s5 <= test_40;
+            both_53_s5 <= both_53;
+            both_56_s5 <= both_56;
             either_21_s5 <= either_21;
-            both_64_s2 <= both_64_s1;
-            both_64_s3 <= both_64_s2;
-            both_64_s4 <= both_64_s3;
+            both_63_s2 <= both_63;
+            both_63_s3 <= both_63_s2;
+            both_63_s4 <= both_63_s3;
             test_41_s2 <= test_41;
             test_41_s3 <= test_41_s2;
-            shifted_21_s4 <= shifted_21;
-            chosen_36_s2 <= chosen_36_s1;
-            chosen_36_s3 <= chosen_36_s2;
-            chosen_36_s4 <= chosen_36_s3;
+            chosen_35_s4 <= chosen_35;
             either_26_s2 <= either_26_s1;
             either_26_s3 <= either_26_s2;
             either_26_s4 <= either_26_s3;
@@ -839,17 +743,11 @@ module polar (
             states_13_store_0_s4 <= states_13_store_0;
             states_13_store_2_s4 <= states_13_store_2;
             states_13_store_3_s4 <= states_13_store_3;
-            states_13_store_4_s4 <= states_13_store_4;
-            states_13_store_5_s4 <= states_13_store_5;
             states_13_store_6_s4 <= states_13_store_6;
-            states_13_store_7_s4 <= states_13_store_7;
-            states_13_store_8_s4 <= states_13_store_8;
             states_13_store_9_s3 <= states_13_store_9;
             states_13_store_9_s4 <= states_13_store_9_s3;
-            states_13_store_10_s3 <= states_13_store_10;
-            states_13_store_10_s4 <= states_13_store_10_s3;
-            states_13_store_11_s2 <= states_13_store_11;
-            states_13_store_11_s3 <= states_13_store_11_s2;
+            states_13_store_10_s4 <= states_13_store_10;
+            states_13_store_11_s3 <= states_13_store_11;
             states_13_store_11_s4 <= states_13_store_11_s3;
         end
     end
