@@ -114,6 +114,7 @@ int ProcessBuilder::memory_of(MemoryObject& object, Value* pointer, size_t leaf,
     memory.argument = object.argument;
     memory.llvm_argument = object.llvm_argument;
     memory.byte_offset = shape.byte_offset;
+    if (!shape.strides.empty()) memory.stride = shape.strides.back();
   } else if (global && is_constant_table(*global)) {
     memory.kind = MemoryKind::kRom;
     memory.load_latency = memory.depth * memory.width <= kCombinationalRomBits ? 0 : 1;

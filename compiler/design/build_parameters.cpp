@@ -93,6 +93,49 @@ void ProcessBuilder::add_layout(MemoryObject& object, const TypeLayout& layout,
   }
 }
 
+namespace {
+
+/// A name without its subscripts, and the subscripts: `taps[3].x` is `taps.x` and 3.
+std::pair<std::string, std::vector<uint64_t>> without_subscripts(const std::string& name) {
+  std::string plain;
+  std::vector<uint64_t> subscripts;
+  for (size_t i = 0; i < name.size(); ++i) {
+    if (name[i] != '[') {
+      plain += name[i];
+      continue;
+    }
+    subscripts.push_back(std::stoull(name.substr(i + 1)));
+    i = name.find(']', i);
+  }
+  return {plain, subscripts};
+}
+
+}  // namespace
+
+void ProcessBuilder::add_member_arrays(MemoryObject& object, const TypeLayout& layout) {
+  std::map<std::string, size_t> known;
+  for (const Leaf& leaf : layout.leaves) {
+    auto [name, subscripts] = without_subscripts(leaf.name);
+    auto [place, is_new] = known.emplace(name, object.leaves.size());
+    if (is_new) {
+      object.leaves.push_back({name, leaf.byte_offset, leaf.bytes,
+                               std::vector<uint64_t>(subscripts.size(), 1),
+                               std::vector<uint64_t>(subscripts.size(), leaf.bytes)});
+      object.partitions.emplace_back(subscripts.size());
+      object.widths.push_back(leaf.width);
+      object.signedness.push_back(leaf.is_signed);
+      object.leaf_names.push_back(object.name + "_" + name);
+    }
+    MemoryLeaf& whole = object.leaves[place->second];
+    for (size_t d = 0; d < subscripts.size(); ++d) {
+      bool is_step = subscripts[d] == 1 && std::count(subscripts.begin(), subscripts.end(), 0) ==
+                                               static_cast<long>(subscripts.size()) - 1;
+      if (is_step) whole.strides[d] = leaf.byte_offset - whole.byte_offset;
+      whole.dims[d] = std::max(whole.dims[d], subscripts[d] + 1);
+    }
+  }
+}
+
 void ProcessBuilder::add_result_object(Argument& argument) {
   MemoryObject& object = objects_[&argument];
   object.name = "ap_return";
@@ -109,9 +152,14 @@ void ProcessBuilder::add_parameter_object(Argument& argument, const Parameter& p
   bool is_open = !dims.empty() && dims[0] == 0;
   if (is_open && has_only_constant_zero_accesses(argument, parameter.layout.bytes)) dims.clear();
   if (!dims.empty() && dims[0] == 0) dims[0] = port_depth(argument, parameter);
-  object.is_scalar_port = dims.empty();
+  bool has_member_arrays =
+      dims.empty() && any_of(argument.users(), [](User* user) { return is_element_address(user); });
+  object.is_scalar_port = dims.empty() && !has_member_arrays;
   object.is_aggregate = !dims.empty() && is_aggregated(argument) && !is_stored_to(argument);
-  add_layout(object, parameter.layout, dims);
+  if (has_member_arrays)
+    add_member_arrays(object, parameter.layout);
+  else
+    add_layout(object, parameter.layout, dims);
   if (!region_ || object.is_scalar_port) return;
   for (std::string& name : object.leaf_names) name = names_.unique(name);  // Ports of the top.
 }

@@ -107,6 +107,7 @@ struct Memory {
   int argument = -1;          ///< Of a port: index of the parameter.
   int llvm_argument = -1;     ///< As in Stream.
   uint64_t byte_offset = 0;   ///< Of a port: the leaf's place in an element.
+  uint64_t stride = 0;        ///< Of a port: bytes from word to word in C++.
   SourceLocation location;
 };
 

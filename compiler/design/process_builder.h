@@ -91,6 +91,8 @@ class ProcessBuilder {
   void add_scalar_input(llvm::Argument& argument, const Parameter& parameter, int index);
   ValueId add_input(const ScalarPort& port, unsigned type_width);
   void add_layout(MemoryObject& object, const TypeLayout& layout, const std::vector<uint64_t>& dims);
+  /// A struct outside that holds arrays: each is a port of its own, and so are the other members.
+  void add_member_arrays(MemoryObject& object, const TypeLayout& layout);
   void add_result_object(llvm::Argument& argument);
   void add_parameter_object(llvm::Argument& argument, const Parameter& parameter, int index);
   bool is_aggregated(llvm::Argument& argument);

@@ -119,6 +119,9 @@ Parameter describe(clang::ASTContext& context, const clang::ParmVarDecl* declara
     }
     top_level = false;
   }
+  if (declaration->getType()->isPointerType() && is_stream_type(declaration->getType()->getPointeeType()) &&
+      declaration->getOriginalType()->isPointerType())
+    parameter.dims.clear();  // One stream, by its address.
   parameter.is_const = type.isConstQualified() || !parameter.is_indirect;
   collect_streams(context, type, parameter.dims, {}, parameter.streams);
   if (parameter.streams.empty())

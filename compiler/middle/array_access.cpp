@@ -198,6 +198,37 @@ bool wants_separation(Value* object, Type* type, const DirectiveTable& directive
   return is_irregular(type) || !directives.of(object, "ARRAY_PARTITION").empty();
 }
 
+bool has_variable_subscript(const Value& pointer) {
+  return any_of(pointer.users(), [](const User* user) {
+    auto* gep = dyn_cast<GEPOperator>(user);
+    return gep && (!gep->hasAllConstantIndices() || has_variable_subscript(*gep));
+  });
+}
+
+/// The type behind a parameter that is one struct with arrays (or its lone array) and is accessed with
+/// subscripts of its members alone; null for other parameters.
+Type* struct_with_arrays(const Program& program, Argument& argument) {
+  auto function = program.functions.find(argument.getParent()->getName().str());
+  if (function == program.functions.end()) return nullptr;
+  bool is_one = any_of(function->second.parameters, [&](const Parameter& parameter) {
+    bool may_be_one = parameter.dims.empty() || (parameter.dims.size() == 1 && parameter.dims[0] == 0);
+    return argument.getName() == parameter.name && parameter.streams.empty() && may_be_one &&
+           parameter.layout.leaves.size() > 1;
+  });
+  if (!is_one || !has_variable_subscript(argument)) return nullptr;
+  Type *structure = nullptr, *array = nullptr;  // The array: the first member, whose address is the struct's.
+  for (User* user : argument.users()) {
+    auto* gep = dyn_cast<GEPOperator>(user);
+    Type* source = gep ? gep->getSourceElementType() : nullptr;
+    if (!source || !source->isAggregateType()) continue;
+    auto* first = dyn_cast<ConstantInt>(gep->getOperand(1));
+    Type*& known = source->isStructTy() ? structure : array;
+    if (!first || !first->isZero() || (known && known != source)) return nullptr;
+    known = source;
+  }
+  return structure && is_irregular(structure) ? structure : structure ? nullptr : array;
+}
+
 std::vector<Value*> objects_of(Module& module) {
   std::vector<Value*> objects;
   for (GlobalVariable& global : module.globals()) objects.push_back(&global);
@@ -221,11 +252,16 @@ bool is_element_address(const Value* value) {
          call->getCalledFunction()->getName().starts_with(kElementPrefix);
 }
 
-void separate_subscripts(Module& module, const DirectiveTable& directives) {
+void separate_subscripts(const Program& program, const DirectiveTable& directives) {
+  Module& module = *program.module;
   for (Value* object : objects_of(module))
     if (Type* type = object_type(object);
         type && type->isAggregateType() && wants_separation(object, type, directives))
       SubscriptSeparator(object, type, module.getDataLayout()).run();
+  for (Function& function : module)
+    for (Argument& argument : function.args())
+      if (Type* type = struct_with_arrays(program, argument))
+        SubscriptSeparator(&argument, type, module.getDataLayout()).run();
 }
 
 void dissolve_constant_subscripts(Module& module) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "frontend/frontend.h"
 #include "middle/directives_to_ir.h"
 
 namespace llvm {
@@ -32,10 +33,10 @@ struct MemoryLeaf {
 /// The leaves of an object type, in order of their offsets.
 std::vector<MemoryLeaf> memory_leaves(const llvm::DataLayout& layout, llvm::Type* type);
 
-/// Rewrites the addresses of partitioned and of irregular objects (arrays inside structs) as `ptr
-/// hls.element(object, leaf offset, subscripts...)`. Throws CompileError where a pointer into such an object
-/// is not a plain subscript.
-void separate_subscripts(llvm::Module& module, const DirectiveTable& directives);
+/// Rewrites the addresses of partitioned and of irregular objects (arrays inside structs, local or a
+/// parameter) as `ptr hls.element(object, leaf offset, subscripts...)`. Throws CompileError where a pointer
+/// into such an object is not a plain subscript.
+void separate_subscripts(const Program& program, const DirectiveTable& directives);
 
 /// Turns `hls.element` back into plain addresses for objects whose subscripts all became constants, so that
 /// they dissolve into registers.

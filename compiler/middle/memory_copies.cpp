@@ -3,6 +3,7 @@
 #include <llvm/Transforms/Utils/BasicBlockUtils.h>
 
 #include <functional>
+#include <limits>
 
 #include "middle/llvm_headers.h"
 #include "middle/source_location.h"
@@ -87,6 +88,16 @@ Type* copied_type(const Program* program, const DataLayout& layout, ArrayRef<Val
   return is_integer ? Type::getIntNTy(context, bytes * 8) : nullptr;
 }
 
+/// The elements of an array that either pointer leads to; null when that is not known.
+Type* element_type(const Program* program, ArrayRef<Value*> pointers) {
+  for (Value* pointer : pointers) {
+    Type* type = pointer ? pointee_type(program, pointer) : nullptr;
+    while (type && type->isArrayTy()) type = type->getArrayElementType();
+    if (type && type->isSized()) return type;
+  }
+  return nullptr;
+}
+
 /// A place in an object: constant bytes and subscripts of the copy's loops with the bytes of a step.
 struct Place {
   uint64_t bytes = 0;
@@ -98,6 +109,21 @@ class LeafWalk {
  public:
   using Body = std::function<void(IRBuilder<>&, const Place&, Type*)>;
   LeafWalk(const DataLayout& layout, Body body) : layout_(layout), body_(std::move(body)) {}
+
+  /// Walks as many elements of `type` as lie in `bytes`, a number known at run time only.
+  void walk_bytes(Type* type, Value* bytes, Instruction* at) {
+    IRBuilder<> builder(at);
+    Value* count =
+        builder.CreateUDiv(bytes, ConstantInt::get(bytes->getType(), layout_.getTypeAllocSize(type)));
+    count = builder.CreateZExtOrTrunc(count, builder.getInt64Ty());
+    BasicBlock* before = at->getParent();
+    BasicBlock* after = SplitBlock(before, at);
+    BasicBlock* loop = loop_over(type, count, {}, before, after, at->getDebugLoc());
+    Instruction* jump = before->getTerminator();
+    builder.SetInsertPoint(jump);
+    builder.CreateCondBr(builder.CreateICmpEQ(count, builder.getInt64(0)), after, loop);
+    jump->eraseFromParent();
+  }
 
   /// Emits code before `at`, which stays the point after the walk.
   void walk(Type* type, const Place& place, Instruction* at) {
@@ -128,19 +154,28 @@ class LeafWalk {
     }
     BasicBlock* before = at->getParent();
     BasicBlock* after = SplitBlock(before, at);
+    before->getTerminator()->setSuccessor(
+        0, loop_over(array->getElementType(),
+                     ConstantInt::get(Type::getInt64Ty(at->getContext()), array->getNumElements()), place,
+                     before, after, at->getDebugLoc()));
+  }
+
+  /// A loop over `count` elements, at least one, that `before` enters and that leads to `after`.
+  BasicBlock* loop_over(Type* type, Value* count, const Place& place, BasicBlock* before, BasicBlock* after,
+                        const DebugLoc& where) {
     BasicBlock* loop = BasicBlock::Create(before->getContext(), "copy", before->getParent(), after);
-    before->getTerminator()->setSuccessor(0, loop);
     IRBuilder<> builder(loop);
-    builder.SetCurrentDebugLocation(at->getDebugLoc());
+    builder.SetCurrentDebugLocation(where);
     PHINode* index = builder.CreatePHI(builder.getInt64Ty(), 2, "copy_index");
     index->addIncoming(builder.getInt64(0), before);
     Place element = place;
-    element.subscripts.push_back({index, stride});
+    element.subscripts.push_back({index, layout_.getTypeAllocSize(type)});
     Value* next = builder.CreateNUWAdd(index, builder.getInt64(1));
-    Value* more = builder.CreateICmpULT(next, builder.getInt64(array->getNumElements()));
+    Value* more = builder.CreateICmpULT(next, count);
     BranchInst* latch = builder.CreateCondBr(more, loop, after);
-    walk(array->getElementType(), element, latch);
+    walk(type, element, latch);
     index->addIncoming(next, latch->getParent());
+    return loop;
   }
 
   const DataLayout& layout_;
@@ -158,16 +193,14 @@ bool expand(const Program* program, MemIntrinsic& call) {
   const DataLayout& layout = call.getDataLayout();
   auto* length = dyn_cast<ConstantInt>(call.getLength());
   if (!length && !program) return false;
-  if (!length)
-    throw CompileError(nearest_location(call),
-                       "the size of a memory copy must be a constant; write a loop over the elements");
   Value* target = call.getRawDest();
   auto* transfer = dyn_cast<MemTransferInst>(&call);
   Value* source = transfer ? transfer->getRawSource() : nullptr;
-  uint64_t bytes = length->getZExtValue();
+  std::vector<Value*> pointers = {target};
+  if (source) pointers.push_back(source);
+  uint64_t bytes = length ? length->getZExtValue() : std::numeric_limits<uint64_t>::max();
   if (bytes == 0) return true;
-  Type* type = source ? copied_type(program, layout, {target, source}, bytes)
-                      : copied_type(program, layout, {target}, bytes);
+  Type* type = length ? copied_type(program, layout, pointers, bytes) : element_type(program, pointers);
   if (!type && !program) return false;
   if (!type)
     throw CompileError(
@@ -188,7 +221,10 @@ bool expand(const Program* program, MemIntrinsic& call) {
     }
     builder.CreateAlignedStore(value, address_of(builder, target, place), Align(1));
   });
-  walk.walk(type, {}, &call);
+  if (length)
+    walk.walk(type, {}, &call);
+  else
+    walk.walk_bytes(type, call.getLength(), &call);
   return true;
 }
 

@@ -41,6 +41,7 @@
 #include "middle/pointer_choices.h"
 #include "middle/primitives.h"
 #include "middle/source_location.h"
+#include "middle/split_accesses.h"
 #include "middle/static_objects.h"
 #include "middle/stream_lowering.h"
 #include "middle/stream_queues.h"
@@ -444,7 +445,8 @@ MiddleResult run_middle(Program& program, const LoopChoice& keeps_apart, Diagnos
   optimizer.functions().clear();  // Copies and constructors changed the control flow.
   for (Function& function : module) resolve_pointer_choices(function);
   optimizer.promote_locals();
-  separate_subscripts(module, result.directives);
+  for (Function& function : module) split_wide_accesses(function);
+  separate_subscripts(program, result.directives);
   optimizer.optimize();
   for (Function& function : module) {
     resolve_pointer_choices(function);

@@ -498,7 +498,7 @@ class TopWriter {
           outside.name = tie.outside;
         }
       const Parameter& parameter = top_.parameters[outside.argument];
-      outside.stride = parameter.layout.bytes;
+      outside.stride = memory.stride;
       for (const Leaf& leaf : parameter.layout.leaves)
         if (memory.is_aggregate || leaf.byte_offset == memory.byte_offset) outside.leaves.push_back(leaf);
       outside.is_read = memory.is_read;
