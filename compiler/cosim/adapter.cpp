@@ -230,7 +230,10 @@ void reset_once() {
   void set_scalars() {
     for (const ScalarPort& port : ports_.scalars) {
       if (port.is_output) {
-        out_ << "  [[maybe_unused]] bool " << port.name << "_set = false;\n";
+        out_ << "  "
+             << (port.is_result ? "[[maybe_unused]] bool " + port.name + "_set = false"
+                                : "Bits " + port.name + "_last")
+             << ";\n";
         if (port.is_result) out_ << "  Bits " << port.name << "_bits;\n";
         continue;
       }
@@ -348,9 +351,7 @@ void reset_once() {
     for (const ScalarPort& port : ports_.scalars)
       if (port.is_output && !port.is_result) sample_output(port);
     for (const ScalarPort& port : ports_.scalars)
-      if (port.is_result)
-        out_ << "    if (done && !" << port.name << "_set) {\n      " << port.name << "_set = true;\n      "
-             << port.name << "_bits = get(dut()." << port.name << ", " << port.width << ");\n    }\n";
+      if (port.is_result) sample_result(port);
     out_ << "    edge();\n";
     if (has_control && !bank) out_ << "    if (accepted) dut().ap_start = 0;\n";
     for (size_t i = 0; i < ports_.memories.size(); ++i) answer_memory(i);
@@ -425,11 +426,24 @@ void reset_once() {
     }
   }
 
+  /// At the end of the run; a top that runs freely has its result at last.
+  void sample_result(const ScalarPort& port) {
+    std::string value = "get(dut()." + port.name + ", " + std::to_string(port.width) + ")";
+    if (ports_.has_start)
+      out_ << "    if (done && !" << port.name << "_set) {\n      " << port.name << "_set = true;\n      "
+           << port.name << "_bits = " << value << ";\n    }\n";
+    else
+      out_ << "    moved |= " << port.name << "_bits != " << value << ";\n    " << port.name
+           << "_bits = " << value << ";\n";
+  }
+
+  /// A top that runs freely sets its outputs in each of its runs: only another value is news.
   void sample_output(const ScalarPort& port) {
     out_ << "    if (dut()." << port.name << "_ap_vld) {\n      Bits bits = get(dut()." << port.name << ", "
-         << port.width << ");\n      moved = true;\n      ";
+         << port.width << ");\n      moved |= " << (ports_.has_start ? "true" : port.name + "_last != bits")
+         << ";\n      " << port.name << "_last = bits;\n      ";
     unpack_output(port);
-    out_ << "      " << port.name << "_set = true;\n    }\n";
+    out_ << "    }\n";
   }
 
   // A memory port: `at` is the word address, the answer comes after the edge.
