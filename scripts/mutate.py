@@ -16,10 +16,10 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LEAST_PER_FILE = 2
 # The head only copies scalars.
-LEFT_OUT = {"floorline_accelerator_head.v"}
-# ap_done of the core, which floorline_top leaves open; and what is a constant as a whole, as first values and cleared fields, which are
+LEFT_OUT = {"floorline_accelerator_head"}
+# ap_done and ap_idle, which their instances leave open; and what is a constant as a whole, as first values and cleared fields, which are
 # often free: no bench could tell.
-UNSEEN = re.compile(r"finished_|run_leaves|= \d+'[dh][0-9a-f]+;")
+UNSEEN = re.compile(r"finished_|run_leaves|ap_idle|= \d+'[dh][0-9a-f]+;")
 
 # (what, pattern, replacement): one occurrence in an expression is changed.
 OPERATORS = [
@@ -89,6 +89,17 @@ def choose(files, count):
     return dict(sorted(chosen.items()))
 
 
+def built(files):
+    """The files whose modules are in floorline_top: those that it names, that these name, and so on."""
+    words = {path.stem: set(re.findall(r"\w+", re.sub(r"//.*", "", "\n".join(lines)))) for path, lines in files.items()}
+    found, waiting = set(), {"floorline_top"}
+    while waiting:
+        name = waiting.pop()
+        found.add(name)
+        waiting |= (words[name] & words.keys()) - found
+    return {path: lines for path, lines in files.items() if path.stem in found - LEFT_OUT}
+
+
 def add_port(text):
     """floorline_top with input `mutant`, registered, so that it is a constant to the logic."""
     text = text.replace("    input  wire         aclk,\n", "    input  wire         aclk,\n    input  wire [7:0]   mutant,\n", 1)
@@ -105,7 +116,7 @@ def main():
     shutil.rmtree(options.folder, ignore_errors=True)
     paths = sorted(path for path in [*ROOT.glob("rtl/*.v"), *ROOT.glob("rtl/lib/*.v"), *ROOT.glob("rtl/generated/*.v")])
     texts = {path: path.read_text().splitlines() for path in paths}
-    chosen = choose({path: lines for path, lines in texts.items() if path.name not in LEFT_OUT}, options.count)
+    chosen = choose(built(texts), options.count)
     table = []
     for number, ((path, line), (_, _, what, head, expression, mutated, tail)) in enumerate(chosen.items(), 1):
         texts[path][line] = f"{head}(floorline_top.mutant_reg == 8'd{number}) ? ({mutated}) : ({expression}){tail}"

@@ -5,9 +5,8 @@ source "$(dirname "$0")/../common.sh"
 source scripts/records.sh
 
 rtl=(hls rtl tb/cosim tb/csim host)
-# The wide core is compiled when it is needed.
+# The wide and the small core are compiled when they are needed.
 recorded cosim "${rtl[@]}" "${compiler_sources[@]}" apps/drive.cpp scenes/demo.yaml scripts/cosim_record.sh -- ./scripts/cosim_record.sh "$1"
 recorded mutants "${rtl[@]}" scripts/mutate.py scripts/mutants.sh -- ./scripts/mutants.sh "$1"
-# scripts/gate_level.sh is not measured: Yosys does not end in half an hour (docs/cosimulation.md).
-printf 'cosim.gate_level_differences.%s\tnone\t<= 0\tshort\n' xc6v ecp5
+recorded gate_level hls rtl tb/gates tb/cocotb "${compiler_sources[@]}" scripts/gate_level.sh -- ./scripts/gate_level.sh "$1"
 "$1/bin/cosim_record" cycles

@@ -169,7 +169,23 @@ cv::Size RandomFrames::size(cv::Size largest) {
   return {number(kLeastSide, largest.width), number(kLeastSide, largest.height)};
 }
 
+/// What luma weighs, every R - G and B - G in turn.
+cv::Mat RandomFrames::colour_differences(cv::Size size) {
+  constexpr int kMost = 255, kCount = 2 * kMost + 1;
+  cv::Mat image(size, CV_8UC3);
+  int place = number(0, kCount * kCount - 1);
+  for (cv::Vec3b& pixel : cv::Mat_<cv::Vec3b>(image)) {
+    place = (place + 1) % (kCount * kCount);
+    const int red = place % kCount - kMost, blue = place / kCount - kMost;
+    const int green = (kMost - std::max({0, red, blue}) - std::min({0, red, blue})) / 2;
+    pixel = {cv::saturate_cast<uchar>(green + blue), cv::saturate_cast<uchar>(green),
+             cv::saturate_cast<uchar>(green + red)};
+  }
+  return image;
+}
+
 cv::Mat RandomFrames::image(cv::Size size) {
+  if (chance(0.2)) return colour_differences(size);
   cv::Mat image(size, chance(0.5) ? CV_8UC1 : CV_8UC3, cv::Scalar::all(number(0, 255)));
   for (int shape = number(0, 4); shape > 0; --shape) {
     const cv::Rect box(number(-8, size.width), number(-8, size.height), number(1, size.width),

@@ -47,6 +47,7 @@ class RandomFrames {
   FrameInput contacts_frame();
   FrameInput splits_frame();
   cv::Mat split_image();
+  cv::Mat colour_differences(cv::Size size);
   cv::Point point() { return {number(0, size_.width - 1), number(0, size_.height - 1)}; }
 
   cv::RNG random_;
