@@ -52,7 +52,7 @@ class CsimModel : public Model {
     return {{"luma", capture_.luma},
             {"frame_ring", capture_.reference},
             {"difference", capture_.difference},
-            {"displacement", capture_.motion},
+            {"displacement", motion_grey(capture_.motion)},
             {"gaussian", capture_.blurred},
             {"binarize", mask(capture_.binary)},
             {"erode", mask(capture_.eroded)},

@@ -200,7 +200,7 @@ StagePairs StageCheck::add(const cv::Mat& image, const golden::Parameters& param
       compared(capture.luma, golden::luma(image)),
       {capture.reference, ring.reference, ring_check.worst(capture, ring)},
       compared(capture.difference, golden::difference(pairs)),
-      compared(capture.motion,
+      compared(motion_grey(capture.motion),
                golden::displacement(capture.difference, capture.gradient, parameters.displacement)),
       compared(capture.blurred, golden::gaussian(capture.difference)),
       compared(capture.binary, to_bits(golden::binarize(capture.blurred, high, parameters.threshold.low))),
@@ -220,8 +220,8 @@ void StageCheck::check_results(const golden::Parameters& parameters, const Stage
   const auto note = [&](ResultStage stage, double value) { worst_[stage] = std::max(worst_[stage], value); };
   note(otsu_stage, std::abs(capture.otsu_threshold - otsu_before_));
   otsu_before_ = golden::otsu(capture.blurred);
-  note(polar_stage, polar_faults(golden::polar(from_bits(capture.region), capture.motion, parameters.lines,
-                                               parameters.rule),
+  note(polar_stage, polar_faults(golden::polar(from_bits(capture.region), motion_grey(capture.motion),
+                                               parameters.lines, parameters.rule),
                                  contacts, output.counts));
   note(birdseye_stage, birdseye_error(golden::birdseye(contacts, parameters.birdseye), output.points));
   note(cluster_stage, cluster_faults(golden::cluster(cut_for_clustering(in_natural_units(output.points)),

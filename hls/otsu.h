@@ -10,9 +10,9 @@
 /// Between two grey levels that occur every t makes the same split; the lowest of equals is taken. A frame of
 /// a single grey level has no split: threshold 0.
 ///
-/// II = 1. A frame takes width * height + 505 cycles, 54 a contender (mostly one to three), and 7 more for one
-/// that is better than those before. The histogram is cleared while it is read; the first frame after a reset
-/// waits 256 cycles until it is cleared.
+/// II = 1. A frame takes width * height + 503 cycles, 54 a contender (mostly one to three), and 7 more for
+/// one that is better than those before. The histogram is cleared while it is read; the first frame after a
+/// reset waits 256 cycles until it is cleared.
 /// Twelve DSPs.
 #ifndef FLOORLINE_HLS_OTSU_H
 #define FLOORLINE_HLS_OTSU_H

@@ -35,8 +35,8 @@ struct ThresholdParameters {
 
 /// How far a pixel must have moved against the floor (displacement.h).
 struct DisplacementParameters {
-  Pixel noise;            ///< Grey levels that difference and gradient owe to the sensor; 255: motion unknown.
-  ap_int<24> bound;       ///< Pixels that a still one may have moved in row 0, Q8.16.
+  Pixel noise;       ///< Grey levels that difference and gradient owe to the sensor; 255: motion unknown.
+  ap_int<24> bound;  ///< Pixels that a still one may have moved in row 0, Q8.16.
   ap_int<24> bound_step;  ///< More of them a row further down, Q8.16.
 };
 

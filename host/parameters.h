@@ -27,7 +27,7 @@ struct Settings {
   int roi_margin_rows = 20;    ///< Rows between the horizon and the first one that is looked at.
   double cluster_gap_m = 0.5;  ///< What lies so near to a nearer point, in x and y, is on its obstacle.
   int min_lines = 2;           ///< Least lines of an obstacle.
-  int noise = 2;          ///< Grey levels of difference and gradient that the sensor owes; 255: no test of body and foot.
+  int noise = 2;  ///< Grey levels that difference and gradient owe to the sensor; 255: motion unknown.
   double still_px = 0.8;  ///< What a foot may seem to have moved, for noise and odometry...
   double still_rows = 3;  ///< ...and as much more as an obstacle moves so many rows above its foot.
   ReferenceRule reference = {};

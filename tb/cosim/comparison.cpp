@@ -6,8 +6,6 @@
 #include <bit>
 #include <opencv2/core.hpp>
 
-#include "golden/displacement.h"
-
 namespace floorline::cosim {
 namespace {
 
@@ -23,17 +21,6 @@ std::vector<PackedElement> packet(const std::vector<Element>& elements) {
   return packed;
 }
 
-/// As the stream has them, from the golden model's grey levels.
-cv::Mat motions(const cv::Mat& grey) {
-  cv::Mat codes = cv::Mat::zeros(1, 256, CV_8UC1), motions;
-  codes.at<uchar>(golden::rests) = RESTS;
-  codes.at<uchar>(golden::stirs) = STIRS;
-  codes.at<uchar>(golden::unknown_motion) = UNKNOWN;
-  codes.at<uchar>(golden::moves) = MOVES;
-  cv::LUT(grey, codes, motions);
-  return motions;
-}
-
 std::string hexadecimal(const PackedElement& e) {
   return fmt::format("{:08x}{:08x}{:08x}{:08x}", e[3], e[2], e[1], e[0]);
 }
@@ -47,7 +34,7 @@ ExpectedFrame::ExpectedFrame(CSimulation& csim, const cv::Mat& image, const Fram
   points = packet(output.points);
   obstacles = packet(output.obstacles);
   counts = packet(output.counts);
-  taps = {stages.difference, motions(stages.motion), stages.blurred, stages.region};
+  taps = {stages.difference, stages.motion, stages.blurred, stages.region};
   status = {static_cast<std::uint32_t>(output.null_pixels),
             static_cast<std::uint32_t>(output.threshold_used)};
 }

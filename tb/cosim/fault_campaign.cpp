@@ -279,12 +279,11 @@ void FaultCampaign::check_counters(FrameStatus expected) {
     return;
   }
   tell(tally_.uncounted,
-       fmt::format(
-           "{} frames, {} malformed, {} dropped, {} null pixels, threshold {}, events {:#x}; "
-           "must be {}, {}, {}, {}, {}, {:#x}",
-           counters.frames, counters.malformed_frames, counters.dropped_frames, counters.null_pixels,
-           counters.threshold_used, events, guard_->started(), guard_->malformed(), guard_->dropped(),
-           expected.null_pixels, expected.threshold_used, expected_events));
+       fmt::format("{} frames, {} malformed, {} dropped, {} null pixels, threshold {}, events {:#x}; "
+                   "must be {}, {}, {}, {}, {}, {:#x}",
+                   counters.frames, counters.malformed_frames, counters.dropped_frames, counters.null_pixels,
+                   counters.threshold_used, events, guard_->started(), guard_->malformed(), guard_->dropped(),
+                   expected.null_pixels, expected.threshold_used, expected_events));
 }
 
 }  // namespace floorline::cosim

@@ -96,7 +96,6 @@ void print_cycles() {
   print("latency_cycles", vga.decision_latency, false, 2200);
 }
 
-/// Processor time, so that other programs on the machine do not count.
 }  // namespace
 }  // namespace floorline::cosim
 
@@ -111,8 +110,7 @@ int main(int count, char** arguments) {
     } else if (words.size() > 1 && words[0] == "pictures") {
       print_pictures({words.begin() + 1, words.end()});
     } else {
-      std::fprintf(stderr,
-                   "error: name the part to record: cycles, faults, soak, or pictures FOLDER...\n");
+      std::fprintf(stderr, "error: name the part to record: cycles, faults, soak, or pictures FOLDER...\n");
       return 2;
     }
   } catch (const std::runtime_error& error) {

@@ -46,17 +46,6 @@ cv::Mat tap(hls::stream<Element>& stream, cv::Size size) {
   return tap(stream, size, [](const Element& element) { return element; });
 }
 
-/// Motions as the golden model's grey levels.
-cv::Mat as_grey(const cv::Mat& motions) {
-  cv::Mat levels = cv::Mat::zeros(1, 256, CV_8UC1), grey;
-  levels.at<uchar>(RESTS) = golden::rests;
-  levels.at<uchar>(STIRS) = golden::stirs;
-  levels.at<uchar>(UNKNOWN) = golden::unknown_motion;
-  levels.at<uchar>(MOVES) = golden::moves;
-  cv::LUT(motions, levels, grey);
-  return grey;
-}
-
 void send(const cv::Mat& image, hls::stream<RgbPixel>& pixels) {
   for (int v = 0; v < image.rows; ++v) {
     const uchar* row = image.ptr(v);
@@ -100,7 +89,7 @@ void run_captured(hls::stream<RgbPixel>& pixels, hls::stream<FloorPoint>& points
   difference<kWidth, kHeight>(pairs, difference_out, changes, p.width, p.height);
   capture.difference = tap(difference_out, size);
   displacement<kWidth, kHeight>(changes, motions, p.width, p.height, p.displacement);
-  capture.motion = as_grey(tap(motions, size));
+  capture.motion = tap(motions, size);
   gaussian<kWidth, kHeight>(difference_out, blurred, p.width, p.height);
   capture.blurred = tap(blurred, size);
   otsu<kWidth, kHeight>(blurred, measured, thresholds, p.width, p.height);
@@ -154,6 +143,16 @@ constexpr int kResetSide = 16;
 std::string text(cv::Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
 
 }  // namespace
+
+cv::Mat motion_grey(const cv::Mat& motions) {
+  cv::Mat levels = cv::Mat::zeros(1, 256, CV_8UC1), grey;
+  levels.at<uchar>(RESTS) = golden::rests;
+  levels.at<uchar>(STIRS) = golden::stirs;
+  levels.at<uchar>(UNKNOWN) = golden::unknown_motion;
+  levels.at<uchar>(MOVES) = golden::moves;
+  cv::LUT(motions, levels, grey);
+  return grey;
+}
 
 CSimulation::CSimulation(cv::Size largest_frame) {
   if (holds<VgaConfig>(largest_frame)) {

@@ -24,12 +24,15 @@ struct StageCapture {
   cv::Mat luma;
   cv::Mat reference, gradient, valid;  ///< The reference as the homography finds it; valid 0 or 1.
   cv::Mat difference;
-  cv::Mat motion;  ///< As golden::displacement() gives it.
+  cv::Mat motion;  ///< RESTS, STIRS, UNKNOWN or MOVES.
   cv::Mat blurred;
   int otsu_threshold;  ///< Otsu's threshold that this frame was offered: found on the frame before.
   cv::Mat binary, eroded, region;
   std::vector<Contact> contacts;  ///< Without the `end` element.
 };
+
+/// Motions as the grey levels of golden::displacement().
+cv::Mat motion_grey(const cv::Mat& motions);
 
 /// The accelerator's state lives in its kernels, as in hardware: one per process. Constructing a CSimulation
 /// brings it to the state after reset (no reference, no threshold); of two objects alive, the younger one is

@@ -10,8 +10,8 @@ using namespace floorline;
 
 void floorline_accelerator(hls::stream<RgbPixel>& pixels, hls::stream<FloorPoint>& points,
                            hls::stream<Obstacle>& obstacles, hls::stream<LineCount>& counts,
-                           hls::stream<ap_uint<24> >& null_pixels, const FrameParameters& parameters,
-                           const LineSetup lines[VgaConfig::MAX_LINES]);
+                           hls::stream<ap_uint<24> >& null_pixels, hls::stream<Pixel>& threshold_used,
+                           const FrameParameters& parameters, const LineSetup lines[VgaConfig::MAX_LINES]);
 
 namespace {
 
@@ -52,6 +52,7 @@ struct Streams {
   hls::stream<Obstacle> obstacles;
   hls::stream<LineCount> counts;
   hls::stream<ap_uint<24> > null_pixels;
+  hls::stream<Pixel> threshold_used;
 };
 
 bool operator==(const FloorPoint& a, const FloorPoint& b) {
@@ -105,13 +106,14 @@ int main() {
       }
     const FrameParameters parameters = frame_parameters();
     floorline_accelerator(hardware.pixels, hardware.points, hardware.obstacles, hardware.counts,
-                          hardware.null_pixels, parameters, lines);
+                          hardware.null_pixels, hardware.threshold_used, parameters, lines);
     accelerator<VgaConfig>(software.pixels, software.points, software.obstacles, software.counts,
-                           software.null_pixels, parameters, lines);
+                           software.null_pixels, software.threshold_used, parameters, lines);
     const int same = equal(hardware.points, software.points);
     if (same < 0 || equal(hardware.obstacles, software.obstacles) < 0 ||
         equal(hardware.counts, software.counts) < 0 ||
-        equal(hardware.null_pixels, software.null_pixels) < 0) {
+        equal(hardware.null_pixels, software.null_pixels) < 0 ||
+        equal(hardware.threshold_used, software.threshold_used) < 0) {
       std::printf("frame %d: Verilog and kernels differ\n", frame);
       return 1;
     }
