@@ -40,7 +40,7 @@ nlohmann::json read_baseline(const std::string& file) {
   nlohmann::json baseline = nlohmann::json::parse(in, nullptr, false);
   if (!baseline.is_array()) {
     throw Error(
-        fmt::format("{} holds no table of cycles; write one with 'floorline cycles --json {}'.", file, file));
+        fmt::format("{} holds no table of cycles; write one with 'floorline cycles --json FILE'.", file));
   }
   return baseline;
 }
