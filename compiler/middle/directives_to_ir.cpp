@@ -102,28 +102,27 @@ bool asks_for_pipeline(const Directive& directive) {
   return directive.kind == "PIPELINE" && !directive.has("off");
 }
 
-void unroll_loops_inside(Loop& loop);
+void attach_to_loop(Loop& loop, const Directive& directive);
+
+/// All of them but `except` and those that say themselves how they are unrolled.
+void unroll_loops(ArrayRef<Loop*> loops, const Loop* except = nullptr) {
+  for (Loop* loop : loops)
+    if (loop != except && !loop_directive(*loop, "UNROLL"))
+      attach_to_loop(*loop, parse_directive("UNROLL implied"));
+}
 
 void attach_to_loop(Loop& loop, const Directive& directive) {
   LLVMContext& context = loop.getHeader()->getContext();
   SmallVector<Metadata*, 2> nodes = {string_node(context, {kLoopTag, to_text(directive)})};
   if (directive.kind == "UNROLL") nodes.push_back(unroll_node(context, directive));
   add_loop_metadata(loop, nodes);
-  if (asks_for_pipeline(directive)) unroll_loops_inside(loop);
-}
-
-void unroll_loops_inside(Loop& loop) {
-  for (Loop* inner : loop.getLoopsInPreorder())
-    if (inner != &loop && !loop_directive(*inner, "UNROLL"))
-      attach_to_loop(*inner, parse_directive("UNROLL implied"));
+  if (asks_for_pipeline(directive)) unroll_loops(loop.getLoopsInPreorder(), &loop);
 }
 
 void attach_to_function(Function& function, LoopInfo& loops, const Directive& directive) {
   std::string name = "hls-" + StringRef(directive.kind).lower();
   function.addFnAttr(name, to_text(directive));
-  if (!asks_for_pipeline(directive)) return;
-  for (Loop* loop : loops.getLoopsInPreorder())
-    if (!loop_directive(*loop, "UNROLL")) attach_to_loop(*loop, parse_directive("UNROLL implied"));
+  if (asks_for_pipeline(directive)) unroll_loops(loops.getLoopsInPreorder());
 }
 
 /// What is stored in a local variable that holds a pointer; null for another object.
@@ -269,12 +268,10 @@ void unroll_inlined_loops(Module& module) {
     LoopInfo loops(dominators);
     for (Loop* loop : loops.getLoopsInPreorder()) {
       std::optional<Directive> pipeline = loop_directive(*loop, "PIPELINE");
-      if (pipeline && asks_for_pipeline(*pipeline)) unroll_loops_inside(*loop);
+      if (pipeline && asks_for_pipeline(*pipeline)) unroll_loops(loop->getLoopsInPreorder(), loop);
     }
     std::optional<Directive> pipeline = function_directive(function, "PIPELINE");
-    if (!pipeline || !asks_for_pipeline(*pipeline)) continue;
-    for (Loop* loop : loops.getLoopsInPreorder())
-      if (!loop_directive(*loop, "UNROLL")) attach_to_loop(*loop, parse_directive("UNROLL implied"));
+    if (pipeline && asks_for_pipeline(*pipeline)) unroll_loops(loops.getLoopsInPreorder());
   }
 }
 

@@ -1,5 +1,7 @@
 #include "verilog/axilite.h"
 
+#include <llvm/Support/MathExtras.h>
+
 #include <algorithm>
 #include <cctype>
 #include <functional>
@@ -15,18 +17,6 @@ namespace {
 
 constexpr uint64_t kFirstRegister = 0x10;
 constexpr unsigned kControl = 0x00, kGlobalInterrupt = 0x04, kInterruptEnable = 0x08, kInterruptStatus = 0x0c;
-
-uint64_t power_of_two_from(uint64_t least) {
-  uint64_t power = 1;
-  while (power < least) power *= 2;
-  return power;
-}
-
-unsigned bits_of(uint64_t power_of_two) {
-  unsigned bits = 0;
-  while (uint64_t{1} << bits < power_of_two) ++bits;
-  return bits;
-}
 
 unsigned words_of(unsigned width) { return (width + 31) / 32; }
 
@@ -244,8 +234,8 @@ class BankWriter {
   void array(const AxiliteArray& one) {
     const InterfaceMemory& memory = one.memory;
     const std::string& name = memory.name;
-    unsigned lanes = one.row_bytes(), row_bits = one.row_address_bits(), low = bits_of(lanes);
-    unsigned span = bits_of(one.span()), width = bank_.address_width;
+    unsigned lanes = one.row_bytes(), row_bits = one.row_address_bits(), low = llvm::Log2_64(lanes);
+    unsigned span = llvm::Log2_64(one.span()), width = bank_.address_width;
     auto hit = [&](const std::string& word) {
       return part(word, width - 2, width - 3, span - 2) + " == " + hex_text(one.offset, width - span, span);
     };
@@ -285,7 +275,7 @@ class BankWriter {
     unsigned words = one.row_bytes() / 4;
     if (words == 1) return bus("WSTRB");
     std::string text;
-    unsigned select = bits_of(words);
+    unsigned select = llvm::Log2_64(words);
     for (unsigned word = words; word-- > 0;)
       text += (text.empty() ? "{" : ", ") +
               ("{4{write_word[" + std::to_string(select - 1) + ":0] == " + std::to_string(select) + "'d" +
@@ -297,7 +287,7 @@ class BankWriter {
   static unsigned elements_in_row(const AxiliteArray& one) { return one.row_bytes() / one.element_bytes(); }
 
   std::string design_row(const AxiliteArray& one, const std::string& index) {
-    unsigned inside = bits_of(elements_in_row(one)), width = address_bits(one.memory.depth);
+    unsigned inside = llvm::Log2_64(elements_in_row(one)), width = address_bits(one.memory.depth);
     unsigned row_bits = one.row_address_bits();
     if (inside >= width) return std::to_string(row_bits) + "'d0";
     std::string text = part(index, width, width - 1, inside);
@@ -308,7 +298,7 @@ class BankWriter {
 
   /// The place of an element in its row.
   std::string place_in_row(const AxiliteArray& one, const std::string& index) {
-    unsigned inside = bits_of(elements_in_row(one)), width = address_bits(one.memory.depth);
+    unsigned inside = llvm::Log2_64(elements_in_row(one)), width = address_bits(one.memory.depth);
     return inside > width ? "{" + std::to_string(inside - width) + "'d0, " + index + "}"
                           : part(index, width, inside - 1, 0);
   }
@@ -316,7 +306,7 @@ class BankWriter {
   std::string design_lanes(const AxiliteArray& one) {
     unsigned count = elements_in_row(one), bytes = one.element_bytes();
     if (count == 1) return "{" + std::to_string(bytes) + "{1'b1}}";
-    std::string text, inside = std::to_string(bits_of(count));
+    std::string text, inside = std::to_string(llvm::Log2_64(count));
     for (unsigned i = count; i-- > 0;)
       text += (text.empty() ? "{" : ", ") +
               ("{" + std::to_string(bytes) + "{" + place_in_row(one, one.memory.write_address) +
@@ -353,7 +343,7 @@ class BankWriter {
     body_ << "    always @(posedge clk) if (read) " << name << "_read <= " << name << "_host_hit;\n";
     std::string value = name + "_host_row";
     if (words > 1) {
-      unsigned select = bits_of(words);
+      unsigned select = llvm::Log2_64(words);
       declarations_ << "    reg" << range_text(select) << " " << name << "_word;\n";
       body_ << "    always @(posedge clk) if (read) " << name << "_word <= read_word[" << select - 1
             << ":0];\n";
@@ -365,7 +355,7 @@ class BankWriter {
   void design_read(const AxiliteArray& one) {
     const InterfaceMemory& memory = one.memory;
     const std::string& name = memory.name;
-    unsigned count = elements_in_row(one), inside = bits_of(count), bits = 8 * one.element_bytes();
+    unsigned count = elements_in_row(one), inside = llvm::Log2_64(count), bits = 8 * one.element_bytes();
     body_ << "    wire" << range_text(8 * one.row_bytes()) << " " << name << "_design_row;\n";
     ram(one, "design", memory.read_enable, design_row(one, memory.read_address));
     std::string value = name + "_design_row";
@@ -373,7 +363,7 @@ class BankWriter {
       body_ << "    reg" << range_text(inside) << " " << name << "_place;\n    always @(posedge clk) if ("
             << memory.read_enable << ") " << name << "_place <= " << place_in_row(one, memory.read_address)
             << ";\n    wire" << range_text(bits) << " " << name << "_element = " << value << "[{" << name
-            << "_place, " << bits_of(bits) << "'d0} +: " << bits << "];\n";
+            << "_place, " << llvm::Log2_64(bits) << "'d0} +: " << bits << "];\n";
       value = name + "_element";
     }
     body_ << "    assign " << memory.read_data << " = " << part(value, bits, memory.width - 1, 0) << ";\n";
@@ -417,17 +407,17 @@ void place_registers(AxiliteBank& bank) {
     one.offset = at;
     at += one.span();
   }
-  bank.address_width = std::max(4u, bits_of(power_of_two_from(at)));
+  bank.address_width = std::max(4u, llvm::Log2_64(llvm::PowerOf2Ceil(at)));
 }
 
 unsigned AxiliteRegister::valid_offset() const { return offset + 4 * words_of(port.width); }
 
-unsigned AxiliteArray::element_bytes() const { return power_of_two_from((memory.width + 7) / 8); }
+unsigned AxiliteArray::element_bytes() const { return llvm::PowerOf2Ceil((memory.width + 7) / 8); }
 unsigned AxiliteArray::row_bytes() const { return std::max(4u, element_bytes()); }
 uint64_t AxiliteArray::span() const {
-  return power_of_two_from(std::max<uint64_t>(memory.depth * element_bytes(), 4));
+  return llvm::PowerOf2Ceil(std::max<uint64_t>(memory.depth * element_bytes(), 4));
 }
-unsigned AxiliteArray::row_address_bits() const { return std::max(1u, bits_of(span() / row_bytes())); }
+unsigned AxiliteArray::row_address_bits() const { return std::max(1u, llvm::Log2_64(span() / row_bytes())); }
 
 std::string axilite_module(const std::string& top, const AxiliteBank& bank) {
   return top + "_" + bank.name + "_s_axi";
