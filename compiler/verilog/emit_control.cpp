@@ -74,55 +74,71 @@ void ProcessEmitter::emit_block(int block) {
     emit_plain_control(block);
 }
 
-std::string ProcessEmitter::go_to(int to, int from, int from_cycle, const std::string& indent) {
-  int source = from;
+std::string ProcessEmitter::go_to(int to, Place from, const std::string& when, const std::string& indent) {
+  int source = from.block;
   while (is_passed_over(to)) {
     if (block_of(to).terminator.kind == Terminator::kReturn) return indent + "state <= S_DONE;\n";
     source = to;
     to = block_of(to).terminator.targets[0];
   }
+  emit_phi_starts(to, source, from, when);
   std::string out = indent + "state <= " + state_name(to, 0) + ";\n";
   if (is_loop(to))
     out += indent + block_of(to).name + "_active" + (timing(to).length == 1 ? "" : "[0]") + " <= 1'b1;\n";
-  for (ValueId id : block_of(to).operations) {
-    const Operation& phi = process_[id];
-    if (phi.kind != OpKind::kPhi) break;
-    for (size_t k = 0; k < phi.operands.size(); ++k)
-      if (block_of(to).predecessors[k] == source)
-        phi_starts_[to].push_back(indent + phi.name +
-                                  " <= " + text(phi.operands[k], phi.bits, {from, from_cycle}) + ";\n");
-  }
-  for (const std::string& line : phi_starts_[to]) out += line;
-  phi_starts_[to].clear();
   return out;
 }
 
-std::string ProcessEmitter::transition(int block, int cycle, const std::string& indent) {
+/// Beside the case of the states, not in it: a start of 0 is then seen to be a register's reset, for nothing.
+void ProcessEmitter::emit_phi_starts(int block, int predecessor, Place from, const std::string& when) {
+  std::string starts;
+  for (ValueId id : block_of(block).operations) {
+    const Operation& phi = process_[id];
+    if (phi.kind != OpKind::kPhi) break;
+    for (size_t k = 0; k < phi.operands.size(); ++k)
+      if (block_of(block).predecessors[k] == predecessor)
+        starts += "            " + phi.name + " <= " + text(phi.operands[k], phi.bits, from) + ";\n";
+  }
+  if (!starts.empty()) phi_starts_ << "        if (" << when << ") begin\n" << starts << "        end\n";
+}
+
+std::string ProcessEmitter::transition(int block, int cycle, const std::string& when,
+                                       const std::string& indent) {
   const Terminator& terminator = block_of(block).terminator;
   Place at{block, cycle};
   switch (terminator.kind) {
     case Terminator::kReturn:
       return indent + "state <= S_DONE;\n";
     case Terminator::kJump:
-      return go_to(terminator.targets[0], block, cycle, indent);
-    case Terminator::kBranch:
-      return indent + "if (" + bit(terminator.condition, at) + ") begin\n" +
-             go_to(terminator.targets[0], block, cycle, indent + "    ") + indent + "end else begin\n" +
-             go_to(terminator.targets[1], block, cycle, indent + "    ") + indent + "end\n";
+      return go_to(terminator.targets[0], at, when, indent);
+    case Terminator::kBranch: {
+      std::string condition = bit(terminator.condition, at);
+      return indent + "if (" + condition + ") begin\n" +
+             go_to(terminator.targets[0], at, when + " & " + condition, indent + "    ") + indent +
+             "end else begin\n" +
+             go_to(terminator.targets[1], at, when + " & ~" + condition, indent + "    ") + indent + "end\n";
+    }
     default:
-      return switch_transition(block, cycle, indent);
+      return switch_transition(block, cycle, when, indent);
   }
 }
 
-std::string ProcessEmitter::switch_transition(int block, int cycle, const std::string& indent) {
+std::string ProcessEmitter::switch_transition(int block, int cycle, const std::string& when,
+                                              const std::string& indent) {
   const Terminator& terminator = block_of(block).terminator;
+  Place at{block, cycle};
   // The condition may stand for a narrower one, of which it is a copy: the cases know their width.
   unsigned width = terminator.cases.empty() ? 1 : terminator.cases[0].getBitWidth();
-  std::string out = indent + "case (" + text(terminator.condition, width, {block, cycle}) + ")\n";
-  for (size_t i = 0; i < terminator.cases.size(); ++i)
-    out += indent + "    " + literal_text(terminator.cases[i], width) + ": begin\n" +
-           go_to(terminator.targets[i + 1], block, cycle, indent + "        ") + indent + "    end\n";
-  out += indent + "    default: begin\n" + go_to(terminator.targets[0], block, cycle, indent + "        ") +
+  std::string value = text(terminator.condition, width, at), none = when;
+  std::string out = indent + "case (" + value + ")\n";
+  for (size_t i = 0; i < terminator.cases.size(); ++i) {
+    std::string number = literal_text(terminator.cases[i], width);
+    none += " & (" + value + " != " + number + ")";
+    out += indent + "    " + number + ": begin\n" +
+           go_to(terminator.targets[i + 1], at, when + " & (" + value + " == " + number + ")",
+                 indent + "        ") +
+           indent + "    end\n";
+  }
+  out += indent + "    default: begin\n" + go_to(terminator.targets[0], at, none, indent + "        ") +
          indent + "    end\n" + indent + "endcase\n";
   return out;
 }
@@ -130,8 +146,9 @@ std::string ProcessEmitter::switch_transition(int block, int cycle, const std::s
 void ProcessEmitter::emit_plain_control(int block) {
   int length = timing(block).length;
   for (int cycle = 0; cycle < length; ++cycle) {
-    std::string next = cycle + 1 < length ? "                state <= " + state_name(block, cycle + 1) + ";\n"
-                                          : transition(block, cycle, "                ");
+    std::string next = cycle + 1 < length
+                           ? "                state <= " + state_name(block, cycle + 1) + ";\n"
+                           : transition(block, cycle, happens({block, cycle}), "                ");
     cases_ << "            " << state_name(block, cycle) << ": if (~stall) begin\n"
            << next << "            end\n";
   }
@@ -151,9 +168,9 @@ void ProcessEmitter::emit_loop_control(int block) {
   if (exit.condition == kNoValue) {
     cases_ << "            " << state_name(block, 0) << ": ;  // runs for ever\n";
   } else {
-    std::string next = transition_of_loop(block, last);
-    cases_ << "            " << state_name(block, 0) << ": if (" << happens({block, last}) << " & "
-           << leaves(block, last) << ") begin\n"
+    std::string when = happens({block, last}) + " & " + leaves(block, last);
+    std::string next = transition_of_loop(block, last, when);
+    cases_ << "            " << state_name(block, 0) << ": if (" << when << ") begin\n"
            << next << "            end\n";
   }
   emit_phi_updates(block);
@@ -219,10 +236,10 @@ void ProcessEmitter::emit_pipeline(int block, const LoopExit& exit) {
   control_ << "\n        if (" << name << "_ce) begin\n" << steps(split + 1, length) << "        end\n";
 }
 
-std::string ProcessEmitter::transition_of_loop(int block, int cycle) {
+std::string ProcessEmitter::transition_of_loop(int block, int cycle, const std::string& when) {
   const Terminator& terminator = block_of(block).terminator;
   int target = terminator.targets[0] == block ? terminator.targets[1] : terminator.targets[0];
-  return go_to(target, block, cycle, "                ");
+  return go_to(target, {block, cycle}, when, "                ");
 }
 
 void ProcessEmitter::emit_phi_updates(int block) {

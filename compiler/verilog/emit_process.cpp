@@ -77,7 +77,7 @@ void ProcessEmitter::emit_operation(ValueId id, int block) {
 std::string ProcessEmitter::assembled() {
   emit_held_values();
   emit_copies();
-  std::string entry = go_to(0, -1, 0, "                ");
+  std::string entry = go_to(0, {-1, 0}, "(state == S_IDLE) & ap_start", "                ");
   std::ostringstream out;
   out << header() << "`default_nettype none\n\nmodule " << process_.name << " (\n";
   out << "    input wire clk,\n    input wire rst,\n    input wire ap_start,\n    input wire "
@@ -91,7 +91,8 @@ std::string ProcessEmitter::assembled() {
   out << "    always @(posedge clk) begin\n" << control_.str() << "        case (state)\n";
   out << "            S_IDLE: if (ap_start) begin\n" << entry << "            end\n" << cases_.str();
   out << "            S_DONE: if (ap_continue) state <= S_IDLE;\n            default: state <= S_IDLE;\n";
-  out << "        endcase\n        if (rst) begin\n            state <= S_IDLE;\n"
+  out << "        endcase\n"
+      << phi_starts_.str() << "        if (rst) begin\n            state <= S_IDLE;\n"
       << loop_resets() << resets_.str();
   out << "        end\n    end\n"
       << data_block() << (has_probes_ ? probes() : "") << "\nendmodule\n\n`default_nettype wire\n";

@@ -71,10 +71,12 @@ class ProcessEmitter {
   /// together.
   int split_stage(int block) const;
   void emit_block(int block);
-  /// Statements that bring control from the end of block `from` to `to`.
-  std::string go_to(int to, int from, int from_cycle, const std::string& indent);
-  std::string transition(int block, int cycle, const std::string& indent);
-  std::string switch_transition(int block, int cycle, const std::string& indent);
+  /// Statements that bring control to block `to`, from where it ends in `from`, at the clock `when`.
+  std::string go_to(int to, Place from, const std::string& when, const std::string& indent);
+  /// The first values of the phis of `block`, for control that comes at the clock `when`.
+  void emit_phi_starts(int block, int predecessor, Place from, const std::string& when);
+  std::string transition(int block, int cycle, const std::string& when, const std::string& indent);
+  std::string switch_transition(int block, int cycle, const std::string& when, const std::string& indent);
   void emit_plain_control(int block);
   void emit_loop_control(int block);
   LoopExit loop_exit(int block) const;
@@ -84,7 +86,7 @@ class ProcessEmitter {
   /// Whether the next iteration enters.
   std::string issue_of(int block, const LoopExit& exit);
   void emit_pipeline(int block, const LoopExit& exit);
-  std::string transition_of_loop(int block, int cycle);
+  std::string transition_of_loop(int block, int cycle, const std::string& when);
   void emit_phi_updates(int block);
 
   // Values and the registers that carry them (emit_values.cpp)
@@ -163,9 +165,8 @@ class ProcessEmitter {
   std::set<ValueId> held_;
   std::map<int, std::vector<ValueId>> accesses_, stream_accesses_, outputs_;
   std::map<ValueId, std::string> blocked_;  ///< When a stream access cannot go on.
-  std::map<int, std::vector<std::string>> phi_starts_;
-  std::ostringstream ports_, registers_, functions_, wires_, stalls_, bodies_, control_, cases_, resets_,
-      data_, data_resets_;
+  std::ostringstream ports_, registers_, functions_, wires_, stalls_, bodies_, control_, cases_, phi_starts_,
+      resets_, data_, data_resets_;
 };
 
 }  // namespace hlsc

@@ -100,8 +100,6 @@ module binarize (
             S_ENTRY: if (~stall) begin
                 state <= S_FOR_2;
                 for_2_active <= 1'b1;
-                at_3 <= 9'd0;
-                at_4 <= 10'd0;
             end
             S_FOR_2: if (for_2_active & for_2_ce & at_7) begin
                 state <= S_FOR_3;
@@ -112,6 +110,10 @@ module binarize (
             S_DONE: if (ap_continue) state <= S_IDLE;
             default: state <= S_IDLE;
         endcase
+        if ((state == S_ENTRY) & ~stall) begin
+            at_3 <= 9'd0;
+            at_4 <= 10'd0;
+        end
         if (rst) begin
             state <= S_IDLE;
             for_2_active <= 1'd0;

@@ -391,17 +391,6 @@ module birdseye (
             S_ENTRY: if (~stall) begin
                 state <= S_WHILE_2;
                 while_2_active[0] <= 1'b1;
-                x <= 24'd0;
-                contact <= 1'd0;
-                contact_2 <= 1'd0;
-                contact_3 <= 12'd0;
-                contact_4 <= 12'd0;
-                contact_5 <= 13'd0;
-                contact_6 <= 8'd0;
-                on_floor <= 1'd0;
-                row <= 2'd0;
-                denominator <= 3'd0;
-                denominator_2 <= 17'd0;
             end
             S_WHILE_2: if (while_2_active[5] & while_2_ce & both_14_s5) begin
                 state <= S_DONE;
@@ -409,6 +398,19 @@ module birdseye (
             S_DONE: if (ap_continue) state <= S_IDLE;
             default: state <= S_IDLE;
         endcase
+        if ((state == S_ENTRY) & ~stall) begin
+            x <= 24'd0;
+            contact <= 1'd0;
+            contact_2 <= 1'd0;
+            contact_3 <= 12'd0;
+            contact_4 <= 12'd0;
+            contact_5 <= 13'd0;
+            contact_6 <= 8'd0;
+            on_floor <= 1'd0;
+            row <= 2'd0;
+            denominator <= 3'd0;
+            denominator_2 <= 17'd0;
+        end
         if (rst) begin
             state <= S_IDLE;
             while_2_active <= 6'd0;

@@ -314,7 +314,6 @@ module cluster (
                 end else begin
                     state <= S_FOR_3;
                     for_3_active <= 1'b1;
-                    line <= 9'd0;
                 end
             end
             S_FOR_3: if (for_3_active & for_3_ce & ~test_2) begin
@@ -326,9 +325,6 @@ module cluster (
             end
             S_FOR_7: if (~stall) begin
                 state <= S_FOR_8_0;
-                found <= 1'd0;
-                nearest <= 8'd0;
-                taken <= 7'd0;
             end
             S_FOR_8_0: if (~stall) begin
                 state <= S_FOR_8_1;
@@ -336,11 +332,6 @@ module cluster (
             S_FOR_8_1: if (~stall) begin
                 if (test_q) begin
                     state <= S_FOR_12;
-                    next_range_3 <= 35'h7FFFFFFFF;
-                    lines_3 <= 9'd0;
-                    nearest_2 <= 8'd0;
-                    obstacle <= 8'd0;
-                    obstacle_2 <= 8'd0;
                 end else begin
                     state <= S_FOR_9;
                 end
@@ -348,20 +339,9 @@ module cluster (
             S_FOR_9: if (~stall) begin
                 state <= S_FOR_10;
                 for_10_active[0] <= 1'b1;
-                first_line <= 8'd0;
-                last_line <= 8'd0;
-                next <= 8'd0;
-                lines <= 9'd0;
-                line_2 <= 9'd0;
-                next_range <= 35'h7FFFFFFFF;
             end
             S_FOR_10: if (for_10_active[2] & for_10_ce & ~test_11_s2) begin
                 state <= S_FOR_12;
-                next_range_3 <= next_range_2;
-                lines_3 <= lines_2;
-                nearest_2 <= next_2;
-                obstacle <= last_line_2_s2;
-                obstacle_2 <= first_line_2;
             end
             S_FOR_12: if (~stall) begin
                 if (both_18) begin
@@ -376,9 +356,6 @@ module cluster (
             S_IF_3: if (~stall) begin
                 if (both_25) begin
                     state <= S_FOR_8_0;
-                    found <= 1'd1;
-                    nearest <= nearest_2;
-                    taken <= sum_4;
                 end else begin
                     state <= S_FOR_13;
                 end
@@ -389,6 +366,41 @@ module cluster (
             S_DONE: if (ap_continue) state <= S_IDLE;
             default: state <= S_IDLE;
         endcase
+        if ((state == S_ENTRY) & ~stall & ~test) begin
+            line <= 9'd0;
+        end
+        if ((state == S_FOR_7) & ~stall) begin
+            found <= 1'd0;
+            nearest <= 8'd0;
+            taken <= 7'd0;
+        end
+        if ((state == S_FOR_8_1) & ~stall & test_q) begin
+            next_range_3 <= 35'h7FFFFFFFF;
+            lines_3 <= 9'd0;
+            nearest_2 <= 8'd0;
+            obstacle <= 8'd0;
+            obstacle_2 <= 8'd0;
+        end
+        if ((state == S_FOR_9) & ~stall) begin
+            first_line <= 8'd0;
+            last_line <= 8'd0;
+            next <= 8'd0;
+            lines <= 9'd0;
+            line_2 <= 9'd0;
+            next_range <= 35'h7FFFFFFFF;
+        end
+        if (for_10_active[2] & for_10_ce & ~test_11_s2) begin
+            next_range_3 <= next_range_2;
+            lines_3 <= lines_2;
+            nearest_2 <= next_2;
+            obstacle <= last_line_2_s2;
+            obstacle_2 <= first_line_2;
+        end
+        if ((state == S_IF_3) & ~stall & both_25) begin
+            found <= 1'd1;
+            nearest <= nearest_2;
+            taken <= sum_4;
+        end
         if (rst) begin
             state <= S_IDLE;
             for_3_active <= 1'd0;

@@ -210,43 +210,6 @@ module displacement (
             S_ENTRY: if (~stall) begin
                 state <= S_FOR_2;
                 for_2_active[0] <= 1'b1;
-                differences <= 12'd0;
-                differences_2 <= 12'd0;
-                differences_3 <= 12'd0;
-                differences_4 <= 12'd0;
-                differences_5 <= 12'd0;
-                differences_6 <= 12'd0;
-                differences_7 <= 12'd0;
-                differences_8 <= 12'd0;
-                differences_9 <= 12'd0;
-                differences_10 <= 12'd0;
-                differences_11 <= 12'd0;
-                differences_12 <= 12'd0;
-                differences_13 <= 12'd0;
-                differences_14 <= 12'd0;
-                differences_15 <= 12'd0;
-                differences_16 <= 12'd0;
-                gradients <= 12'd0;
-                gradients_2 <= 12'd0;
-                gradients_3 <= 12'd0;
-                gradients_4 <= 12'd0;
-                gradients_5 <= 12'd0;
-                gradients_6 <= 12'd0;
-                gradients_7 <= 12'd0;
-                gradients_8 <= 12'd0;
-                gradients_9 <= 12'd0;
-                gradients_10 <= 12'd0;
-                gradients_11 <= 12'd0;
-                gradients_12 <= 12'd0;
-                gradients_13 <= 12'd0;
-                gradients_14 <= 12'd0;
-                gradients_15 <= 12'd0;
-                gradients_16 <= 12'd0;
-                windows_wait <= 1'd1;
-                at_3 <= 1'd1;
-                at_4 <= 9'd0;
-                at_5 <= 10'd0;
-                bound <= parameters_bound_V;
             end
             S_FOR_2: if (for_2_active[2] & for_2_ce & ~either_2_s2) begin
                 state <= S_DONE;
@@ -254,6 +217,45 @@ module displacement (
             S_DONE: if (ap_continue) state <= S_IDLE;
             default: state <= S_IDLE;
         endcase
+        if ((state == S_ENTRY) & ~stall) begin
+            differences <= 12'd0;
+            differences_2 <= 12'd0;
+            differences_3 <= 12'd0;
+            differences_4 <= 12'd0;
+            differences_5 <= 12'd0;
+            differences_6 <= 12'd0;
+            differences_7 <= 12'd0;
+            differences_8 <= 12'd0;
+            differences_9 <= 12'd0;
+            differences_10 <= 12'd0;
+            differences_11 <= 12'd0;
+            differences_12 <= 12'd0;
+            differences_13 <= 12'd0;
+            differences_14 <= 12'd0;
+            differences_15 <= 12'd0;
+            differences_16 <= 12'd0;
+            gradients <= 12'd0;
+            gradients_2 <= 12'd0;
+            gradients_3 <= 12'd0;
+            gradients_4 <= 12'd0;
+            gradients_5 <= 12'd0;
+            gradients_6 <= 12'd0;
+            gradients_7 <= 12'd0;
+            gradients_8 <= 12'd0;
+            gradients_9 <= 12'd0;
+            gradients_10 <= 12'd0;
+            gradients_11 <= 12'd0;
+            gradients_12 <= 12'd0;
+            gradients_13 <= 12'd0;
+            gradients_14 <= 12'd0;
+            gradients_15 <= 12'd0;
+            gradients_16 <= 12'd0;
+            windows_wait <= 1'd1;
+            at_3 <= 1'd1;
+            at_4 <= 9'd0;
+            at_5 <= 10'd0;
+            bound <= parameters_bound_V;
+        end
         if (rst) begin
             state <= S_IDLE;
             for_2_active <= 3'd0;

@@ -164,13 +164,6 @@ module erode (
             S_ENTRY: if (~stall) begin
                 state <= S_FOR_2;
                 for_2_active[0] <= 1'b1;
-                left <= 2'd0;
-                middle <= 2'd0;
-                at_2 <= 1'd0;
-                at_3 <= 1'd1;
-                at_4 <= 2'd0;
-                at_5 <= extract;
-                at_6 <= 10'd0;
             end
             S_FOR_2: if (for_2_active[2] & for_2_ce & ~either_7_s2) begin
                 state <= S_DONE;
@@ -178,6 +171,15 @@ module erode (
             S_DONE: if (ap_continue) state <= S_IDLE;
             default: state <= S_IDLE;
         endcase
+        if ((state == S_ENTRY) & ~stall) begin
+            left <= 2'd0;
+            middle <= 2'd0;
+            at_2 <= 1'd0;
+            at_3 <= 1'd1;
+            at_4 <= 2'd0;
+            at_5 <= extract;
+            at_6 <= 10'd0;
+        end
         if (rst) begin
             state <= S_IDLE;
             for_2_active <= 3'd0;

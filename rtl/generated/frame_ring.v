@@ -722,16 +722,6 @@ module frame_ring (
             S_IF_3: if (~stall) begin
                 state <= S_FOR_2;
                 for_2_active[0] <= 1'b1;
-                y_walk_2 <= y_walk;
-                y_walk_3 <= y_walk;
-                z_walk_2 <= z_walk;
-                z_walk_3 <= z_walk;
-                x_walk_2 <= x_walk;
-                x_walk_3 <= x_walk;
-                write_row_2 <= write_row;
-                at_3 <= 9'd0;
-                at_4 <= 10'd0;
-                null_count <= 24'd0;
             end
             S_FOR_2: if (for_2_active[8] & for_2_ce & at_7_s8) begin
                 state <= S_FOR_3;
@@ -752,6 +742,18 @@ module frame_ring (
             S_DONE: if (ap_continue) state <= S_IDLE;
             default: state <= S_IDLE;
         endcase
+        if ((state == S_IF_3) & ~stall) begin
+            y_walk_2 <= y_walk;
+            y_walk_3 <= y_walk;
+            z_walk_2 <= z_walk;
+            z_walk_3 <= z_walk;
+            x_walk_2 <= x_walk;
+            x_walk_3 <= x_walk;
+            write_row_2 <= write_row;
+            at_3 <= 9'd0;
+            at_4 <= 10'd0;
+            null_count <= 24'd0;
+        end
         if (rst) begin
             state <= S_IDLE;
             for_2_active <= 9'd0;

@@ -181,13 +181,6 @@ module gaussian (
             S_ENTRY: if (~stall) begin
                 state <= S_FOR_2;
                 for_2_active[0] <= 1'b1;
-                left <= 16'd0;
-                middle <= 16'd0;
-                at_2 <= 1'd0;
-                at_3 <= 1'd1;
-                at_4 <= 2'd0;
-                at_5 <= extract;
-                at_6 <= 10'd0;
             end
             S_FOR_2: if (for_2_active[4] & for_2_ce & ~either_5_s4) begin
                 state <= S_DONE;
@@ -195,6 +188,15 @@ module gaussian (
             S_DONE: if (ap_continue) state <= S_IDLE;
             default: state <= S_IDLE;
         endcase
+        if ((state == S_ENTRY) & ~stall) begin
+            left <= 16'd0;
+            middle <= 16'd0;
+            at_2 <= 1'd0;
+            at_3 <= 1'd1;
+            at_4 <= 2'd0;
+            at_5 <= extract;
+            at_6 <= 10'd0;
+        end
         if (rst) begin
             state <= S_IDLE;
             for_2_active <= 5'd0;

@@ -101,8 +101,6 @@ module luma (
             S_ENTRY: if (~stall) begin
                 state <= S_FOR_2;
                 for_2_active[0] <= 1'b1;
-                at_3 <= 9'd0;
-                at_4 <= 10'd0;
             end
             S_FOR_2: if (for_2_active[1] & for_2_ce & at_7_s1) begin
                 state <= S_DONE;
@@ -110,6 +108,10 @@ module luma (
             S_DONE: if (ap_continue) state <= S_IDLE;
             default: state <= S_IDLE;
         endcase
+        if ((state == S_ENTRY) & ~stall) begin
+            at_3 <= 9'd0;
+            at_4 <= 10'd0;
+        end
         if (rst) begin
             state <= S_IDLE;
             for_2_active <= 2'd0;

@@ -835,7 +835,6 @@ module otsu (
                 end else begin
                     state <= S_FOR_3;
                     for_3_active <= 1'b1;
-                    level <= 8'd0;
                 end
             end
             S_FOR_3: if (for_3_active & for_3_ce & ~test) begin
@@ -844,26 +843,10 @@ module otsu (
             S_IF_3: if (~stall) begin
                 state <= S_FOR_4;
                 for_4_active[0] <= 1'b1;
-                count <= 19'd0;
-                count_2 <= 19'd0;
-                at_3 <= 9'd0;
-                at_4 <= 10'd0;
-                pixel <= 8'd0;
-                pixel_2 <= 8'd0;
-                total <= 19'd0;
-                total_sum <= 27'd0;
             end
             S_FOR_4: if (for_4_active[1] & for_4_ce & at_7_s1) begin
                 state <= S_COND;
                 cond_active[0] <= 1'b1;
-                contender_count <= 9'd0;
-                excess_2 <= {1'd0, excess_s1};
-                count_4 <= 19'd0;
-                below <= 19'd0;
-                deviation <= 46'd0;
-                deviation_logarithm <= 25'd0;
-                best_score <= 27'd100663296;
-                step <= 9'd0;
             end
             S_COND: if (cond_active[7] & cond_ce & test_19_s7) begin
                 state <= S_FOR_6;
@@ -871,11 +854,8 @@ module otsu (
             S_FOR_6: if (~stall) begin
                 if (test_20) begin
                     state <= S_ZN9FLOORLINE9OTSU_SCAN14BEST_CONTENDERINS0_6WIDTHSILM307200EEEEE7AP_UINTILI8EEPKNS0_9CONTENDERIT_EES4_ILI9EENS7_5COUNTE_2;
-                    value_81 <= 8'd0;
                 end else begin
                     state <= S_FOR_8_0;
-                    best_level <= 8'd0;
-                    i <= 9'd0;
                 end
             end
             S_FOR_8_0: if (~stall) begin
@@ -887,9 +867,6 @@ module otsu (
             S_FOR_8_2: if (~stall) begin
                 state <= S_FOR_9;
                 for_9_active[0] <= 1'b1;
-                at_8 <= 2'd0;
-                at_9 <= 4'd0;
-                sum_14 <= 36'd0;
             end
             S_FOR_9: if (for_9_active[1] & for_9_ce & test_23_s1) begin
                 state <= S_ZN9FLOORLINE9OTSU_SCAN6SQUAREEPK7AP_UINTILI17EEPS2;
@@ -898,14 +875,9 @@ module otsu (
                 if (test_24) begin
                     state <= S_FOR_13;
                     for_13_active[0] <= 1'b1;
-                    limb <= 3'd0;
                 end else begin
                     state <= S_FOR_11;
                     for_11_active[0] <= 1'b1;
-                    differs_4 <= 1'd0;
-                    difference_5 <= 37'd0;
-                    at_11 <= 2'd0;
-                    at_12 <= 4'd0;
                 end
             end
             S_FOR_11: if (for_11_active[2] & for_11_ce & test_28_s2) begin
@@ -915,24 +887,18 @@ module otsu (
                 if (both_34) begin
                     state <= S_FOR_13;
                     for_13_active[0] <= 1'b1;
-                    limb <= 3'd0;
                 end else begin
                     state <= S_IF_6;
-                    best_level_2 <= best_level;
                 end
             end
             S_FOR_13: if (for_13_active[1] & for_13_ce & test_31_s1) begin
                 state <= S_IF_6;
-                best_level_2 <= contenders_0_data_q;
             end
             S_IF_6: if (~stall) begin
                 if (test_32) begin
                     state <= S_FOR_8_0;
-                    best_level <= best_level_2;
-                    i <= sum_21;
                 end else begin
                     state <= S_ZN9FLOORLINE9OTSU_SCAN14BEST_CONTENDERINS0_6WIDTHSILM307200EEEEE7AP_UINTILI8EEPKNS0_9CONTENDERIT_EES4_ILI9EENS7_5COUNTE_2;
-                    value_81 <= best_level_2;
                 end
             end
             S_ZN9FLOORLINE9OTSU_SCAN14BEST_CONTENDERINS0_6WIDTHSILM307200EEEEE7AP_UINTILI8EEPKNS0_9CONTENDERIT_EES4_ILI9EENS7_5COUNTE_2: if (~stall) begin
@@ -941,6 +907,66 @@ module otsu (
             S_DONE: if (ap_continue) state <= S_IDLE;
             default: state <= S_IDLE;
         endcase
+        if ((state == S_ENTRY) & ~stall & ~cleared_data) begin
+            level <= 8'd0;
+        end
+        if ((state == S_IF_3) & ~stall) begin
+            count <= 19'd0;
+            count_2 <= 19'd0;
+            at_3 <= 9'd0;
+            at_4 <= 10'd0;
+            pixel <= 8'd0;
+            pixel_2 <= 8'd0;
+            total <= 19'd0;
+            total_sum <= 27'd0;
+        end
+        if (for_4_active[1] & for_4_ce & at_7_s1) begin
+            contender_count <= 9'd0;
+            excess_2 <= {1'd0, excess_s1};
+            count_4 <= 19'd0;
+            below <= 19'd0;
+            deviation <= 46'd0;
+            deviation_logarithm <= 25'd0;
+            best_score <= 27'd100663296;
+            step <= 9'd0;
+        end
+        if ((state == S_FOR_6) & ~stall & test_20) begin
+            value_81 <= 8'd0;
+        end
+        if ((state == S_FOR_6) & ~stall & ~test_20) begin
+            best_level <= 8'd0;
+            i <= 9'd0;
+        end
+        if ((state == S_FOR_8_2) & ~stall) begin
+            at_8 <= 2'd0;
+            at_9 <= 4'd0;
+            sum_14 <= 36'd0;
+        end
+        if ((state == S_ZN9FLOORLINE9OTSU_SCAN6SQUAREEPK7AP_UINTILI17EEPS2) & ~stall & test_24) begin
+            limb <= 3'd0;
+        end
+        if ((state == S_ZN9FLOORLINE9OTSU_SCAN6SQUAREEPK7AP_UINTILI17EEPS2) & ~stall & ~test_24) begin
+            differs_4 <= 1'd0;
+            difference_5 <= 37'd0;
+            at_11 <= 2'd0;
+            at_12 <= 4'd0;
+        end
+        if ((state == S_FOR_12) & ~stall & both_34) begin
+            limb <= 3'd0;
+        end
+        if ((state == S_FOR_12) & ~stall & ~both_34) begin
+            best_level_2 <= best_level;
+        end
+        if (for_13_active[1] & for_13_ce & test_31_s1) begin
+            best_level_2 <= contenders_0_data_q;
+        end
+        if ((state == S_IF_6) & ~stall & test_32) begin
+            best_level <= best_level_2;
+            i <= sum_21;
+        end
+        if ((state == S_IF_6) & ~stall & ~test_32) begin
+            value_81 <= best_level_2;
+        end
         if (rst) begin
             state <= S_IDLE;
             for_3_active <= 1'd0;

@@ -625,17 +625,6 @@ module polar (
             S_CYCLES: if (~stall) begin
                 state <= S_FOR_2;
                 for_2_active[0] <= 1'b1;
-                taps <= 2'd0;
-                taps_2 <= 2'd0;
-                taps_3 <= 2'd0;
-                taps_4 <= 4'd0;
-                taps_5 <= 4'd0;
-                taps_6 <= 4'd0;
-                steps_wait <= 1'd1;
-                high_before <= 12'd0;
-                at_3 <= 1'd1;
-                at_4 <= 10'd0;
-                at_5 <= 9'd0;
             end
             S_FOR_2: if (for_2_active[5] & for_2_ce & ~either_26_s5) begin
                 state <= S_FOR_3;
@@ -646,6 +635,19 @@ module polar (
             S_DONE: if (ap_continue) state <= S_IDLE;
             default: state <= S_IDLE;
         endcase
+        if ((state == S_CYCLES) & ~stall) begin
+            taps <= 2'd0;
+            taps_2 <= 2'd0;
+            taps_3 <= 2'd0;
+            taps_4 <= 4'd0;
+            taps_5 <= 4'd0;
+            taps_6 <= 4'd0;
+            steps_wait <= 1'd1;
+            high_before <= 12'd0;
+            at_3 <= 1'd1;
+            at_4 <= 10'd0;
+            at_5 <= 9'd0;
+        end
         if (rst) begin
             state <= S_IDLE;
             for_2_active <= 6'd0;
