@@ -109,6 +109,9 @@ struct Memory {
   uint64_t byte_offset = 0;   ///< Of a port: the leaf's place in an element.
   uint64_t stride = 0;        ///< Of a port: bytes from word to word in C++.
   SourceLocation location;
+
+  /// Or may: nobody told.
+  bool starts_as_zero() const { return initial.empty() || (initial.size() == 1 && initial[0].isZero()); }
 };
 
 struct Stream {

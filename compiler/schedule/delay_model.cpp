@@ -35,8 +35,7 @@ const Target& target_named(const std::string& name) {
 }
 
 bool is_deep(const Target& target, const Memory& memory) {
-  bool starts_as_zero = memory.initial.empty() || (memory.initial.size() == 1 && memory.initial[0].isZero());
-  return memory.kind == MemoryKind::kRam && starts_as_zero && target.block_words &&
+  return memory.kind == MemoryKind::kRam && memory.starts_as_zero() && target.block_words &&
          memory.depth > target.block_words;
 }
 

@@ -7,6 +7,9 @@ namespace {
 /// Tables from this size on lie in block RAM; below, the logic costs less.
 constexpr uint64_t kBlockTableBits = 4096;
 
+/// Address bits of the longest RAM that Virtex-6 makes without logic: two RAMB36E1 in cascade hold 64K x 1.
+constexpr unsigned kCascadeAddress = 16;
+
 bool is_block_rom(const Memory& memory) {
   return memory.kind == MemoryKind::kRom && memory.depth * memory.width >= kBlockTableBits;
 }
@@ -63,16 +66,19 @@ void ProcessEmitter::emit_ram(const Memory& memory, const std::vector<ValueId>& 
   auto or_zero = [](const std::string& value, unsigned width) {
     return value.empty() ? std::to_string(width) + "'d0" : value;
   };
-  bool is_deep = memory.load_latency > 1;
+  bool has_register = memory.load_latency > 1;
+  bool is_deep = has_register || (address > kCascadeAddress && memory.starts_as_zero());
   if (memory.initial.empty() || is_deep) {
     bodies_ << "\n    " << (is_deep ? "deep_ram" : "ram_1r1w") << " #(\n        .WIDTH(" << memory.width
-            << "),\n        .DEPTH(" << memory.depth << "),\n        .ADDRESS_WIDTH(" << address
-            << ")\n    ) " << name << " (\n        .clk(clk),\n        .write_enable("
+            << "),\n        .DEPTH(" << memory.depth << "),\n        .ADDRESS_WIDTH(" << address << ")";
+    if (is_deep && !has_register)
+      bodies_ << ",\n        .BLOCK_ADDRESS(" << kCascadeAddress << "),\n        .OUTPUT_REGISTER(0)";
+    bodies_ << "\n    ) " << name << " (\n        .clk(clk),\n        .write_enable("
             << or_zero(write.enable, 1) << "),\n        .write_address(" << or_zero(write.address, address)
             << "),\n        .write_data(" << or_zero(write.data, memory.width) << "),\n        .read_enable("
-            << read.enable << "),\n        .read_address(" << read.address << "),\n"
-            << (is_deep ? "        .output_enable(" + read.output_enable + "),\n" : "")
-            << "        .read_data(" << name << "_q)\n    );\n";
+            << read.enable << "),\n        .read_address(" << read.address << "),\n";
+    if (is_deep) bodies_ << "        .output_enable(" << or_zero(read.output_enable, 1) << "),\n";
+    bodies_ << "        .read_data(" << name << "_q)\n    );\n";
     return;
   }
   std::string array = names_.unique(name + "_words"), q = names_.unique(name + "_read");

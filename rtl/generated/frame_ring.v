@@ -605,65 +605,73 @@ module frame_ring (
         if (for_2_active[0] & for_2_front_ce) word_read <= word_words[shifted_3];
     end
 
-    (* no_rw_check *)
-    reg [7:0] even_even_words [0:81919];
-    reg [7:0] even_even_read;
-    assign even_even_q = even_even_read;
-    // synthesis translate_off
-    integer even_even_index;
-    initial
-        for (even_even_index = 0; even_even_index < 81920; even_even_index = even_even_index + 1)
-            even_even_words[even_even_index] = 8'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if (for_2_active[5] & for_2_ce & both_41) even_even_words[sum_22] <= in_data_s5;
-        if (for_2_active[4] & for_2_ce) even_even_read <= even_even_words[sum_13];
-    end
+    deep_ram #(
+        .WIDTH(8),
+        .DEPTH(81920),
+        .ADDRESS_WIDTH(17),
+        .BLOCK_ADDRESS(16),
+        .OUTPUT_REGISTER(0)
+    ) even_even (
+        .clk(clk),
+        .write_enable(for_2_active[5] & for_2_ce & both_41),
+        .write_address(sum_22),
+        .write_data(in_data_s5),
+        .read_enable(for_2_active[4] & for_2_ce),
+        .read_address(sum_13),
+        .output_enable(1'd0),
+        .read_data(even_even_q)
+    );
 
-    (* no_rw_check *)
-    reg [7:0] even_odd_words [0:81919];
-    reg [7:0] even_odd_read;
-    assign even_odd_q = even_odd_read;
-    // synthesis translate_off
-    integer even_odd_index;
-    initial
-        for (even_odd_index = 0; even_odd_index < 81920; even_odd_index = even_odd_index + 1)
-            even_odd_words[even_odd_index] = 8'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if (for_2_active[5] & for_2_ce & both_44) even_odd_words[sum_22] <= in_data_s5;
-        if (for_2_active[4] & for_2_ce) even_odd_read <= even_odd_words[sum_14];
-    end
+    deep_ram #(
+        .WIDTH(8),
+        .DEPTH(81920),
+        .ADDRESS_WIDTH(17),
+        .BLOCK_ADDRESS(16),
+        .OUTPUT_REGISTER(0)
+    ) even_odd (
+        .clk(clk),
+        .write_enable(for_2_active[5] & for_2_ce & both_44),
+        .write_address(sum_22),
+        .write_data(in_data_s5),
+        .read_enable(for_2_active[4] & for_2_ce),
+        .read_address(sum_14),
+        .output_enable(1'd0),
+        .read_data(even_odd_q)
+    );
 
-    (* no_rw_check *)
-    reg [7:0] odd_even_words [0:81919];
-    reg [7:0] odd_even_read;
-    assign odd_even_q = odd_even_read;
-    // synthesis translate_off
-    integer odd_even_index;
-    initial
-        for (odd_even_index = 0; odd_even_index < 81920; odd_even_index = odd_even_index + 1)
-            odd_even_words[odd_even_index] = 8'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if (for_2_active[5] & for_2_ce & both_46) odd_even_words[sum_22] <= in_data_s5;
-        if (for_2_active[4] & for_2_ce) odd_even_read <= odd_even_words[sum_15];
-    end
+    deep_ram #(
+        .WIDTH(8),
+        .DEPTH(81920),
+        .ADDRESS_WIDTH(17),
+        .BLOCK_ADDRESS(16),
+        .OUTPUT_REGISTER(0)
+    ) odd_even (
+        .clk(clk),
+        .write_enable(for_2_active[5] & for_2_ce & both_46),
+        .write_address(sum_22),
+        .write_data(in_data_s5),
+        .read_enable(for_2_active[4] & for_2_ce),
+        .read_address(sum_15),
+        .output_enable(1'd0),
+        .read_data(odd_even_q)
+    );
 
-    (* no_rw_check *)
-    reg [7:0] odd_odd_words [0:81919];
-    reg [7:0] odd_odd_read;
-    assign odd_odd_q = odd_odd_read;
-    // synthesis translate_off
-    integer odd_odd_index;
-    initial
-        for (odd_odd_index = 0; odd_odd_index < 81920; odd_odd_index = odd_odd_index + 1)
-            odd_odd_words[odd_odd_index] = 8'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if (for_2_active[5] & for_2_ce & both_48) odd_odd_words[sum_22] <= in_data_s5;
-        if (for_2_active[4] & for_2_ce) odd_odd_read <= odd_odd_words[sum_16];
-    end
+    deep_ram #(
+        .WIDTH(8),
+        .DEPTH(81920),
+        .ADDRESS_WIDTH(17),
+        .BLOCK_ADDRESS(16),
+        .OUTPUT_REGISTER(0)
+    ) odd_odd (
+        .clk(clk),
+        .write_enable(for_2_active[5] & for_2_ce & both_48),
+        .write_address(sum_22),
+        .write_data(in_data_s5),
+        .read_enable(for_2_active[4] & for_2_ce),
+        .read_address(sum_16),
+        .output_enable(1'd0),
+        .read_data(odd_odd_q)
+    );
     assign in_read = (for_2_active[0] & for_2_front_ce);
     assign out_write = (for_2_active[8] & for_2_ce);
     assign out_din = either_10;

@@ -1,7 +1,9 @@
-// RAM of many blocks, with a register behind each block: one write port, one read port, one clock.
+// RAM of more words than a block holds: one write port, one read port, one clock.
 //
-// As ram_1r1w, but a read takes two cycles: read_enable takes the address, output_enable the word in a later cycle. What chooses among
-// the blocks lies behind their registers, so that the way from a block to the logic, often across the die, has a cycle of its own.
+// With OUTPUT_REGISTER a read takes two cycles: read_enable takes the address, output_enable the word in a later cycle. What chooses among
+// the blocks lies behind their registers, so that the way from a block to the logic, often across the die, has a cycle of its own. Without
+// it a read takes one cycle, as that of ram_1r1w, and output_enable is not used; the blocks are the powers of two that an FPGA makes of
+// block RAM without logic.
 // A read of the address that is written in the same cycle is undefined. Contents start as zero, as those of block RAM do.
 
 `default_nettype none
@@ -10,7 +12,8 @@ module deep_ram #(
     parameter WIDTH         = 8,      // bits of a word, 1 or more
     parameter DEPTH         = 65536,  // words, more than one block's
     parameter ADDRESS_WIDTH = 16,     // bits of an address, the least with 2^ADDRESS_WIDTH >= DEPTH
-    parameter BLOCK_ADDRESS = 14      // bits of an address within a block
+    parameter BLOCK_ADDRESS = 14,     // bits of an address within a block
+    parameter OUTPUT_REGISTER = 1     // 1: a register behind each block
 ) (
     input  wire                     clk,
 
@@ -32,7 +35,7 @@ module deep_ram #(
     reg  [CHOICE_WIDTH-1:0] output_choice_reg;
     wire [WIDTH-1:0]        outputs [0:BLOCKS-1];
 
-    assign read_data = outputs[output_choice_reg];
+    assign read_data = outputs[OUTPUT_REGISTER ? output_choice_reg : read_choice_reg];
 
     always @(posedge clk) begin
         if (read_enable)
@@ -52,7 +55,7 @@ module deep_ram #(
             reg [WIDTH-1:0] read_reg;
             reg [WIDTH-1:0] output_reg;
 
-            assign outputs[block] = output_reg;
+            assign outputs[block] = OUTPUT_REGISTER ? output_reg : read_reg;
 
             always @(posedge clk) begin
                 if (write_enable && write_address[ADDRESS_WIDTH-1:BLOCK_ADDRESS] == CHOICE)

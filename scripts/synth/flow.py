@@ -33,14 +33,15 @@ TARGETS = ("xc6v", "xc7", "ecp5")
 DEVICE = ["--85k", "--package", "CABGA381", "--speed", "6"]
 NEXTPNR = [*DEVICE, "--freq", "130", "--timing-allow-fail"]  # MHz to aim at; timing-driven, as nextpnr is by default
 
-# Operands of Xilinx adders. Yosys takes a carry chain's DI from operand A. Where that is logic and B is a register, they are exchanged: the
-# logic then lies in the LUT before the chain, and DI needs none of its own.
-SWAP_OPERANDS = HERE.relative_to(ROOT) / "swap_operands.v"
-XILINX_OPERANDS = "; ".join([
+# Xilinx adders and comparisons. Yosys takes a carry chain's DI from operand A. Where that is logic and B is a register, they are exchanged:
+# the logic then lies in the LUT before the chain, and DI needs none of its own.
+CARRY_CHAINS = HERE.relative_to(ROOT) / "carry_chains.v"
+XILINX_COMPARISONS = f"techmap -map {CARRY_CHAINS} t:$le t:$ge"
+XILINX_ADDERS = "; ".join([
     "select -set logic t:$mux t:$pmux t:$and t:$or t:$xor t:$not t:$shl t:$shr t:$sshr t:$shift t:$shiftx t:$logic_* t:$reduce_* t:$lut",
     "select -set outputs @logic %co1:+[Y]",
     "select -set a_is_logic @outputs %co1:+$alu[A] t:$alu %i", "select -set b_is_logic @outputs %co1:+$alu[B] t:$alu %i",
-    "chtype -set $alu_swapped @a_is_logic @b_is_logic %d", f"techmap -map {SWAP_OPERANDS} t:$alu_swapped", "select -clear"])
+    "chtype -set $alu_swapped @a_is_logic @b_is_logic %d", f"techmap -map {CARRY_CHAINS} t:$alu_swapped", "select -clear"])
 
 # Mapping to LUTs for Xilinx: Yosys's own script with least area (if -a) in place of least depth, a LUT of any size for the same price, and
 # a second round. The stages around it are those of synth_xilinx.
@@ -125,7 +126,7 @@ class Design:
         """The hash of what the result depends on: sources, tools, what they are told, and what a cell counts for."""
         if self.target == "ecp5":
             return content_key([*self.sources, HERE / "shell.py", HERE / "pack.py"], versions(self.target), self.scripts(), NEXTPNR, XILINX, ECP5, self.parts_of)
-        return content_key([*self.sources, SWAP_OPERANDS], versions(self.target), self.scripts(), XILINX, self.parts_of)
+        return content_key([*self.sources, CARRY_CHAINS], versions(self.target), self.scripts(), XILINX, self.parts_of)
 
     def scripts(self):
         """What Yosys is told: `parts` keeps the hierarchy, for the shares of the parts; `flat` gives the sum, and nextpnr's netlist."""
@@ -142,7 +143,8 @@ class Design:
 
     def xilinx(self, flatten):
         command = f"synth_xilinx -noiopad -noclkbuf -family {self.target} -top {self.top}{flatten}"
-        return f"{command} -run begin:fine; {XILINX_OPERANDS}; {command} -run fine:map_luts; {XILINX_LUTS}; {command} -run finalize:edif"
+        return (f"{command} -run begin:coarse; {XILINX_COMPARISONS}; {command} -run coarse:fine; {XILINX_ADDERS}; "
+                f"{command} -run fine:map_luts; {XILINX_LUTS}; {command} -run finalize:edif")
 
 
 def entries():
