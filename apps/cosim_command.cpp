@@ -84,12 +84,9 @@ void print(const Options& options, const CosimSummary& s) {
                   "second, {:.3g} frames a second",
                   s.most_cycles(), s.greatest(&HardwareCounters::decision_latency),
                   s.result.cycles_per_second() / 1e6, static_cast<double>(s.frames()) / s.result.seconds));
-  for (std::size_t i = 0; i < s.frames(); ++i) {
-    const cosim::FrameVerdict& frame = s.result.frames[i];
-    if (frame.differences() == 0) continue;
-    options.results.text(fmt::format("first difference in frame {}: {}; waves in {}", i,
-                                     frame.first_difference, options.waves));
-    break;
+  if (const auto failure = s.result.first_failure()) {
+    options.results.text(fmt::format("first difference in frame {}: {}; waves in {}", *failure,
+                                     s.result.frames[*failure].first_difference->words, options.waves));
   }
 }
 

@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "output.h"
+#include "svg.h"
+#include "wave_picture.h"
 
 namespace floorline::app {
 namespace {
@@ -47,23 +49,6 @@ nlohmann::json cycles_section(const CosimSummary& s) {
         {"first pixel to first result", s.greatest(&HardwareCounters::first_result_latency), "", "", ""}}}};
 }
 
-/// SVG, `width` by `height`; `body` is inside. Greys that are readable on light and dark.
-std::string svg(int width, int height, const std::string& body) {
-  return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" height=\"{1}\" "
-      "font-family=\"sans-serif\" font-size=\"12\" fill=\"#888\">{2}</svg>\n",
-      width, height, body);
-}
-
-std::string label(int x, int y, const char* anchor, const std::string& text) {
-  return fmt::format("<text x=\"{}\" y=\"{}\" text-anchor=\"{}\">{}</text>", x, y, anchor, text);
-}
-
-std::string box(int x, int y, int width, int height, const std::string& colour) {
-  return fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\"/>", x, y, width, height,
-                     colour);
-}
-
 /// Frames by their greatest decision latency, in at most sixteen classes.
 std::string latency_histogram(const CosimSummary& s) {
   constexpr std::uint32_t kClasses = 16, kRound = 50;
@@ -72,7 +57,8 @@ std::string latency_histogram(const CosimSummary& s) {
   for (const cosim::FrameVerdict& frame : s.result.frames) {
     if (frame.counters.decision_latency != 0) latencies.push_back(frame.counters.decision_latency);
   }
-  if (latencies.empty()) return svg(300, 30, label(0, 20, "start", "no contact in these frames"));
+  if (latencies.empty())
+    return svg::picture(300, 30, svg::label(0, 20, "start", "no contact in these frames"));
   const auto [least, greatest] = std::minmax_element(latencies.begin(), latencies.end());
   const std::uint32_t width = kRound * (1 + (*greatest - *least) / (kRound * (kClasses - 1)));
   const std::uint32_t first = *least / width;
@@ -82,13 +68,13 @@ std::string latency_histogram(const CosimSummary& s) {
   std::string body;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const int x = static_cast<int>(i) * kBar, height = counts[i] * (kHeight - 20) / most;
-    body += box(x + 2, kHeight - height, kBar - 4, height, "#3b82c4");
+    body += svg::box(x + 2, kHeight - height, kBar - 4, height, "#3b82c4");
     if (counts[i] != 0)
-      body += label(x + kBar / 2, kHeight - height - 4, "middle", std::to_string(counts[i]));
-    body += label(x + kBar / 2, kHeight + 16, "middle", std::to_string((first + i) * width));
+      body += svg::label(x + kBar / 2, kHeight - height - 4, "middle", std::to_string(counts[i]));
+    body += svg::label(x + kBar / 2, kHeight + 16, "middle", std::to_string((first + i) * width));
   }
-  return svg(std::max(320, static_cast<int>(counts.size()) * kBar), kHeight + kFoot,
-             body + label(0, kHeight + 34, "start", "cycles, from; frames on the bars"));
+  return svg::picture(std::max(320, static_cast<int>(counts.size()) * kBar), kHeight + kFoot,
+                      body + svg::label(0, kHeight + 34, "start", "cycles, from; frames on the bars"));
 }
 
 /// A row a FIFO, a column a frame: blue where its reader found nothing, red where its writer found no room.
@@ -96,24 +82,25 @@ std::string stall_map(const CosimSummary& s) {
   constexpr int kLeft = 110, kRow = 18, kFoot = 24, kWidth = 640;
   const auto& frames = s.result.frames;
   const int cell = std::max(2, kWidth / static_cast<int>(frames.size()));
-  const std::size_t channels = frames.front().channels.size();
+  const std::size_t channels = frames.front().activity.channels.size();
   std::string body;
   for (std::size_t c = 0; c < channels; ++c) {
     const int y = static_cast<int>(c) * kRow;
-    body += label(kLeft - 8, y + 13, "end", frames.front().channels[c].name);
+    body += svg::label(kLeft - 8, y + 13, "end", frames.front().activity.channels[c].name);
     for (std::size_t i = 0; i < frames.size(); ++i) {
-      const cosim::ChannelCounts& counts = frames[i].channels[c];
+      const cosim::ChannelCounts& counts = frames[i].activity.channels[c];
       const auto share = [&](std::uint64_t part) {
         return static_cast<int>(255 * part / std::max<std::uint64_t>(1, counts.cycles));
       };
       const int empty = share(counts.empty), full = share(counts.full);
-      body += box(kLeft + static_cast<int>(i) * cell, y, cell, kRow - 2,
-                  fmt::format("rgb({},{},{})", 255 - empty, 255 - (empty + full) / 2, 255 - full));
+      body += svg::box(kLeft + static_cast<int>(i) * cell, y, cell, kRow - 2,
+                       fmt::format("rgb({},{},{})", 255 - empty, 255 - (empty + full) / 2, 255 - full));
     }
   }
   const int height = static_cast<int>(channels) * kRow;
-  return svg(kLeft + cell * static_cast<int>(frames.size()), height + kFoot,
-             body + label(kLeft, height + 16, "start", "frames; blue: empty, red: full, white: words pass"));
+  return svg::picture(
+      kLeft + cell * static_cast<int>(frames.size()), height + kFoot,
+      body + svg::label(kLeft, height + 16, "start", "frames; blue: empty, red: full, white: words pass"));
 }
 
 /// The FIFOs over all frames.
@@ -121,14 +108,14 @@ nlohmann::json channels_section(const CosimSummary& s) {
   std::vector<cosim::ChannelCounts> sums;
   for (const cosim::FrameVerdict& frame : s.result.frames) {
     if (sums.empty()) {
-      sums = frame.channels;
+      sums = frame.activity.channels;
       continue;
     }
     for (std::size_t c = 0; c < sums.size(); ++c) {
-      sums[c].cycles += frame.channels[c].cycles;
-      sums[c].empty += frame.channels[c].empty;
-      sums[c].full += frame.channels[c].full;
-      sums[c].most = std::max(sums[c].most, frame.channels[c].most);
+      sums[c].cycles += frame.activity.channels[c].cycles;
+      sums[c].empty += frame.activity.channels[c].empty;
+      sums[c].full += frame.activity.channels[c].full;
+      sums[c].most = std::max(sums[c].most, frame.activity.channels[c].most);
     }
   }
   nlohmann::json rows = nlohmann::json::array();
@@ -161,8 +148,16 @@ void write_hardware_sections(const CosimSummary& summary, const std::filesystem:
       {"note", "From the last pixel of the deciding row to the floor point: the greatest of each frame."},
       {"picture", picture("latency", latency_histogram(summary))}};
   channels["picture"] = picture("stalls", stall_map(summary));
-  produce_file(
-      file, nlohmann::json::array({comparison_section(summary), cycles, latencies, channels}).dump(2) + "\n");
+  nlohmann::json sections = {comparison_section(summary), cycles, latencies, channels};
+  if (summary.result.watch) {
+    const std::size_t failure = summary.result.first_failure().value();
+    sections.push_back(
+        {{"title", "The first difference"},
+         {"note", fmt::format("Frame {}: {}. What stands on the ports; the element's cycle is shaded.",
+                              failure, summary.result.frames[failure].first_difference->words)},
+         {"picture", picture("waves", wave_picture(*summary.result.watch))}});
+  }
+  produce_file(file, sections.dump(2) + "\n");
 }
 
 }  // namespace floorline::app

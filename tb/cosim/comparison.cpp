@@ -39,8 +39,9 @@ ExpectedFrame::ExpectedFrame(CSimulation& csim, const cv::Mat& image, const Fram
             static_cast<std::uint32_t>(output.threshold_used)};
 }
 
-long compare(const char* stream, const std::vector<PackedElement>& expected, bool malformed,
-             const Packet& got, std::string& first) {
+long compare(Port stream, const std::vector<PackedElement>& expected, bool malformed, const Packet& got,
+             std::optional<Difference>& first) {
+  const char* name = kPortNames[static_cast<std::size_t>(stream)];
   constexpr PackedElement kNone = {0xffffffff, 0xffffffff, 0xffffffff, 0xffffffff};
   long bits = malformed != got.malformed;
   for (std::size_t i = 0; i < std::max(expected.size(), got.elements.size()); ++i) {
@@ -48,32 +49,39 @@ long compare(const char* stream, const std::vector<PackedElement>& expected, boo
     const PackedElement& is = i < got.elements.size() ? got.elements[i] : kNone;
     if (want == is) continue;
     for (std::size_t word = 0; word < want.size(); ++word) bits += std::popcount(want[word] ^ is[word]);
-    if (first.empty()) {
-      first = fmt::format("{}[{}] of {} is {}, the C simulation has {} (of {})", stream, i,
-                          got.elements.size(), hexadecimal(is), hexadecimal(want), expected.size());
+    if (!first) {
+      first = {fmt::format("{}[{}] of {} is {}, the C simulation has {} (of {})", name, i,
+                           got.elements.size(), hexadecimal(is), hexadecimal(want), expected.size()),
+               stream, std::min(i, got.elements.size() - 1)};
     }
   }
-  if (malformed != got.malformed && first.empty()) {
-    first = fmt::format("{} are {}marked malformed", stream, got.malformed ? "" : "not ");
+  if (malformed != got.malformed && !first) {
+    first = {fmt::format("{} are {}marked malformed", name, got.malformed ? "" : "not "), stream,
+             got.elements.size() - 1};
   }
   return bits;
 }
 
 namespace {
 
-long compare_tap(const char* name, const cv::Mat& expected, std::vector<std::uint8_t>& got,
-                 std::string& first) {
+long compare_tap(Port tap, const cv::Mat& expected, std::vector<std::uint8_t>& got,
+                 std::optional<Difference>& first) {
+  const char* name = kPortNames[static_cast<std::size_t>(tap)];
   constexpr long kElementBits = 8;
   const std::size_t count = expected.total(), compared = std::min(count, got.size());
   long bits = kElementBits * static_cast<long>(count - compared);
-  if (bits != 0 && first.empty()) first = fmt::format("tap {} has {} elements of {}", name, compared, count);
+  if (bits != 0 && !first) {
+    first = {fmt::format("tap {} has {} elements of {}", name, compared, count), tap,
+             std::max<std::size_t>(compared, 1) - 1};
+  }
   for (std::size_t i = 0; i < compared; ++i) {
     const std::uint8_t want = expected.data[i];
     if (got[i] == want) continue;
     bits += std::popcount(static_cast<std::uint8_t>(got[i] ^ want));
-    if (first.empty()) {
-      first = fmt::format("tap {} at column {}, row {} is {}, the C simulation has {}", name,
-                          i % expected.cols, i / expected.cols, got[i], want);
+    if (!first) {
+      first = {fmt::format("tap {} at column {}, row {} is {}, the C simulation has {}", name,
+                           i % expected.cols, i / expected.cols, got[i], want),
+               tap, i};
     }
   }
   got.erase(got.begin(), got.begin() + static_cast<std::ptrdiff_t>(compared));
@@ -82,10 +90,10 @@ long compare_tap(const char* name, const cv::Mat& expected, std::vector<std::uin
 
 }  // namespace
 
-long compare_taps(const ExpectedFrame& expected, TapElements& got, std::string& first) {
+long compare_taps(const ExpectedFrame& expected, TapElements& got, std::optional<Difference>& first) {
   long bits = 0;
-  for (std::size_t i = 0; i < kTapNames.size(); ++i) {
-    bits += compare_tap(kTapNames[i], expected.taps[i], got[i], first);
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    bits += compare_tap(tap_port(i), expected.taps[i], got[i], first);
   }
   return bits;
 }

@@ -22,19 +22,22 @@ constexpr std::uint32_t kFaultEvents =
     FLOORLINE_INTERRUPT_STATUS_SHORT_LINE_MASK | FLOORLINE_INTERRUPT_STATUS_LONG_LINE_MASK |
     FLOORLINE_INTERRUPT_STATUS_DISABLED_IN_FRAME_MASK | FLOORLINE_INTERRUPT_STATUS_FRAME_DROPPED_MASK;
 
-struct Waves {
+/// A run up to a frame that failed, to see how.
+struct Replay {
   int frame;
-  std::filesystem::path file;
+  std::filesystem::path waves;
+  PortWatch* watch;  ///< None: the frame broke down before it could be compared.
 };
 
 class Session {
  public:
-  Session(const Job& job, std::optional<Waves> waves)
+  Session(const Job& job, std::optional<Replay> replay)
       : job_(job),
-        waves_(std::move(waves)),
+        replay_(std::move(replay)),
         top_(configuration_for(job.largest_frame), job.stalls, job.seed),
         csim_(job.largest_frame),
         driver_(top_) {
+    if (replay_ && replay_->watch != nullptr) top_.show(*replay_->watch);
     driver_.enable(true);
   }
 
@@ -60,7 +63,7 @@ class Session {
   void send(int index) {
     const FrameInput input = prepared(job_.frame(index));
     top_.run_until([&] { return driver_.prepared_frame_started(); });
-    if (waves_ && waves_->frame == index) top_.record(waves_->file);
+    if (replay_ && replay_->frame == index) top_.record(replay_->waves);
     driver_.prepare(input.parameters, input.lines);
     queue_video(input.image, 0, input.image.rows - 1, top_.video().queue);
     if (index > 0) receive();
@@ -89,8 +92,8 @@ class Session {
              !top_.counts().packets.empty();
     });
     FrameVerdict verdict;
-    const auto take = [&](const char* name, const std::vector<PackedElement>& expected, PacketSink& sink) {
-      const long bits = compare(name, expected, false, sink.packets.front(), verdict.first_difference);
+    const auto take = [&](Port port, const std::vector<PackedElement>& expected, PacketSink& sink) {
+      const long bits = compare(port, expected, false, sink.packets.front(), verdict.first_difference);
       sink.packets.pop_front();
       return bits;
     };
@@ -99,12 +102,24 @@ class Session {
     verdict.line_count = expected_->counts.size();
     for (const cv::Mat& tap : expected_->taps) verdict.tap_count += tap.total();
     verdict.taps = compare_taps(*expected_, top_.taps(), verdict.first_difference);
-    verdict.points = take("points", expected_->points, top_.points());
-    verdict.obstacles = take("obstacles", expected_->obstacles, top_.obstacles());
-    verdict.counts = take("counts", expected_->counts, top_.counts());
+    verdict.points = take(Port::points, expected_->points, top_.points());
+    verdict.obstacles = take(Port::obstacles, expected_->obstacles, top_.obstacles());
+    verdict.counts = take(Port::counts, expected_->counts, top_.counts());
     compare_registers(verdict);
-    verdict.channels = top_.take_channels();
+    count_elements(verdict.first_difference);
+    verdict.activity = top_.take_activity();
     result_.frames.push_back(verdict);
+  }
+
+  /// From the frame's element to the port's, and on to the next frame. Up to the first difference as many
+  /// pass as are expected.
+  void count_elements(std::optional<Difference>& first) {
+    if (first && first->port) first->element += passed_[static_cast<std::size_t>(*first->port)];
+    const auto pass = [&](Port port, std::size_t count) { passed_[static_cast<std::size_t>(port)] += count; };
+    pass(Port::points, expected_->points.size());
+    pass(Port::obstacles, expected_->obstacles.size());
+    pass(Port::counts, expected_->counts.size());
+    for (std::size_t i = 0; i < kTapCount; ++i) pass(tap_port(i), expected_->taps[i].total());
   }
 
   void compare_registers(FrameVerdict& verdict) {
@@ -114,43 +129,46 @@ class Session {
                         std::popcount(verdict.counters.threshold_used ^ expected_->status.threshold_used) +
                         std::popcount(verdict.counters.malformed_frames) +
                         std::popcount(verdict.counters.dropped_frames) + std::popcount(faults);
-    if (verdict.registers && verdict.first_difference.empty()) {
-      verdict.first_difference = fmt::format(
+    if (verdict.registers && !verdict.first_difference) {
+      const std::string words = fmt::format(
           "NULL_PIXELS is {}, the C simulation has {}; THRESHOLD_USED {} and {}; {} malformed and {} dropped "
           "frames, fault events {:#x}",
           verdict.counters.null_pixels, expected_->status.null_pixels, verdict.counters.threshold_used,
           expected_->status.threshold_used, verdict.counters.malformed_frames,
           verdict.counters.dropped_frames, faults);
+      verdict.first_difference = {words, std::nullopt, 0};
     }
     const std::size_t frame = result_.frames.size();
     if (verdict.counters.frames == frame + 2) verdict.cycles = verdict.counters.frame_cycles;
   }
 
   const Job& job_;
-  std::optional<Waves> waves_;
+  std::optional<Replay> replay_;
   Clock::time_point start_ = Clock::now();
   Top top_;
   CSimulation csim_;
   Driver driver_;
   std::optional<ExpectedFrame> expected_;
+  std::array<std::uint64_t, kPortNames.size()> passed_ = {};  ///< Elements of the frames that were compared.
   Result result_;
   double csim_seconds_ = 0;
 };
 
-void save_waves(const Job& job, int frame) {
-  if (job.waves.empty()) return;
-  Session replay(job, Waves{frame, job.waves});
+void replay(const Job& job, int frame, PortWatch* watch) {
+  Session again(job, Replay{frame, job.waves, watch});
   try {
-    replay.run(std::min(frame + 1, job.frame_count));
+    again.run(std::min(frame + 1, job.frame_count));
   } catch (const std::runtime_error&) {
     // The failure that is being recorded.
   }
 }
 
-int first_failure(const Result& result) {
-  const auto fails = [](const FrameVerdict& verdict) { return verdict.differences() != 0; };
-  return static_cast<int>(std::find_if(result.frames.begin(), result.frames.end(), fails) -
-                          result.frames.begin());
+/// Runs up to the first frame that differs again.
+void show_difference(const Job& job, Result& result) {
+  const std::size_t frame = result.first_failure().value();
+  const Difference& difference = result.frames[frame].first_difference.value();
+  if (difference.port) result.watch.emplace(*difference.port, difference.element);
+  replay(job, static_cast<int>(frame), result.watch ? &*result.watch : nullptr);
 }
 
 }  // namespace
@@ -161,12 +179,19 @@ long Result::differences() const {
   return sum;
 }
 
+std::optional<std::size_t> Result::first_failure() const {
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    if (frames[i].differences() != 0) return i;
+  }
+  return {};
+}
+
 Result cosimulate(const Job& job) {
   std::optional<Session> session(std::in_place, job, std::nullopt);
   const auto broken = [&] {
     const int frame = static_cast<int>(session->result().frames.size());
     session.reset();
-    save_waves(job, frame);
+    if (!job.waves.empty()) replay(job, frame, nullptr);
   };
   try {
     session->run(job.frame_count);
@@ -177,8 +202,9 @@ Result cosimulate(const Job& job) {
     broken();
     throw;
   }
-  const Result result = session->result();
-  if (result.differences() != 0) save_waves(job, first_failure(result));
+  Result result = session->result();
+  session.reset();
+  if (result.first_failure() && !job.waves.empty()) show_difference(job, result);
   return result;
 }
 

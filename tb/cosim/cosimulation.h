@@ -13,6 +13,8 @@
 #include "hls/parameters.h"
 #include "hls/types.h"
 #include "host/driver.h"
+#include "tb/cosim/comparison.h"
+#include "tb/cosim/port_watch.h"
 #include "tb/cosim/stalls.h"
 #include "tb/cosim/top.h"
 
@@ -35,15 +37,15 @@ struct FrameVerdict {
   long taps = 0;
   long registers =
       0;  ///< NULL_PIXELS, THRESHOLD_USED, MALFORMED_FRAMES, DROPPED_FRAMES and the fault events.
-  std::string first_difference;  ///< In words; empty when there is none.
-  std::size_t point_count = 0;   ///< Elements that were compared, for a reader to see that there were some.
+  std::optional<Difference> first_difference;  ///< Its element is counted from the first frame on.
+  std::size_t point_count = 0;  ///< Elements that were compared, for a reader to see that there were some.
   std::size_t obstacle_count = 0;
   std::size_t line_count = 0;
   std::size_t tap_count = 0;
   HardwareCounters counters = {};  ///< Read when the frame's results had left.
   std::optional<std::uint32_t>
-      cycles;  ///< FRAME_CYCLES of this frame; known when the next one started in time.
-  std::vector<ChannelCounts> channels;  ///< From the results of the frame before to its own.
+      cycles;         ///< FRAME_CYCLES of this frame; known when the next one started in time.
+  Activity activity;  ///< From the results of the frame before to its own.
 
   long differences() const { return points + obstacles + counts + taps + registers; }
 };
@@ -56,16 +58,18 @@ struct Job {
   Stalls stalls;
   std::uint64_t seed;
   std::filesystem::path
-      waves;  ///< Where the waves (FST) of the first failing frame go; empty: none are saved.
+      waves;  ///< Where the waves (FST) of the first failing frame go; empty: it is not run again.
   std::function<void(int)> progress;  ///< Called with the number of frames that are done.
 };
 
 struct Result {
   std::vector<FrameVerdict> frames;
   std::uint64_t cycles = 0;
-  double seconds = 0;  ///< That the RTL took, without the C simulation.
+  double seconds = 0;              ///< That the RTL took, without the C simulation.
+  std::optional<PortWatch> watch;  ///< The ports around the first difference, if its frame was run again.
 
   long differences() const;
+  std::optional<std::size_t> first_failure() const;  ///< The first frame that differs.
   double cycles_per_second() const { return static_cast<double>(cycles) / seconds; }
 };
 

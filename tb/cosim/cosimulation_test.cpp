@@ -18,7 +18,7 @@ Result expect_equal(Job job) {
   for (std::size_t i = 0; i < result.frames.size(); ++i) {
     const FrameVerdict& frame = result.frames[i];
     EXPECT_EQ(frame.differences(), 0)
-        << "frame " << i << ": " << frame.first_difference << "; waves in " << file;
+        << "frame " << i << ": " << frame.first_difference->words << "; waves in " << file;
     if (frame.differences() != 0) break;
   }
   EXPECT_EQ(result.frames.size(), static_cast<std::size_t>(job.frame_count));

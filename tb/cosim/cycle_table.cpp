@@ -56,6 +56,21 @@ cv::Mat scene(cv::Size size, int frame) {
   return image;
 }
 
+/// Of a frame for itself: all stages start with it, and none waits for the frame before.
+std::vector<StageRun> measure_stages(Top& top, const cv::Mat& frame) {
+  constexpr int kOtsuSearch = 2000;  // After the last result; its cycles are in docs/cosimulation.md.
+  const auto finish = [&](std::size_t frames) {
+    top.run_until([&] { return top.obstacles().packets.size() == frames; });
+    for (int i = 0; i < kOtsuSearch; ++i) top.tick();
+  };
+  const std::size_t before = top.obstacles().packets.size();
+  finish(before);
+  top.take_activity();
+  queue_video(frame, 0, frame.rows, top.video().queue);
+  finish(before + 1);
+  return top.take_activity().stages;
+}
+
 }  // namespace
 
 const std::vector<CycleCase>& cycle_cases() {
@@ -85,7 +100,8 @@ CycleRow measure_cycles(cv::Size size, Stalls stalls) {
           counters.input_stalls,
           counters.output_stalls,
           counters.first_result_latency,
-          counters.decision_latency};
+          counters.decision_latency,
+          measure_stages(top, scene(size, 1))};
 }
 
 }  // namespace floorline::cosim

@@ -8,10 +8,11 @@
 #include <vector>
 
 #include "tb/cosim/stalls.h"
+#include "tb/cosim/top.h"
 
 namespace floorline::cosim {
 
-/// Registers of docs/registers.md, in cycles.
+/// Registers of docs/registers.md, in cycles, and what the stages took.
 struct CycleRow {
   cv::Size size;
   Stalls stalls;
@@ -20,6 +21,7 @@ struct CycleRow {
   std::uint32_t output_stalls;
   std::uint32_t first_result_latency;
   std::uint32_t decision_latency;
+  std::vector<StageRun> stages;  ///< Of one more frame, after all others have left.
 
   bool operator==(const CycleRow&) const = default;
 };

@@ -30,5 +30,23 @@ TEST(CycleTable, FollowsTheFormula) {
   }
 }
 
+TEST(CycleTable, StagesEndInTheOrderOfTheData) {
+  const cv::Size size(161, 121);
+  const std::vector<StageRun> stages = measure_cycles(size, Stalls::none).stages;
+  const auto longest = [&](std::string_view name) {
+    const auto stage =
+        std::find_if(stages.begin(), stages.end(), [&](const StageRun& s) { return s.name == name; });
+    return stage == stages.end() ? 0 : static_cast<int>(stage->longest);
+  };
+  EXPECT_GE(longest("luma"), size.area());
+  EXPECT_LT(longest("luma"), longest("frame_ring"));
+  EXPECT_GE(longest("gaussian"), longest("difference") + size.width)
+      << "the Gaussian waits for the row below";
+  EXPECT_LT(longest("gaussian"), longest("binarize"));
+  EXPECT_LT(longest("binarize"), longest("polar"));
+  EXPECT_LT(longest("polar"), longest("birdseye"));
+  EXPECT_LT(longest("birdseye"), longest("cluster"));
+}
+
 }  // namespace
 }  // namespace floorline::cosim

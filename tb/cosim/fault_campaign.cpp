@@ -255,18 +255,18 @@ FrameStatus FaultCampaign::check_frame(const GuardModel::Frame& frame) {
   if (run.parameters.replace_reference) reference_lost_ = frame.malformed;
   const ExpectedFrame expected(*csim_, image_of(frame, run.parameters.grey), run.parameters, run.lines);
 
-  std::string first;
+  std::optional<Difference> first;
   long bits = 0;
-  const auto take = [&](const char* stream, const std::vector<PackedElement>& elements, PacketSink& sink) {
+  const auto take = [&](Port stream, const std::vector<PackedElement>& elements, PacketSink& sink) {
     top_.run_until([&] { return !sink.packets.empty(); });
     bits += compare(stream, elements, frame.malformed, sink.packets.front(), first);
     sink.packets.pop_front();
   };
-  take("points", expected.points, top_.points());
-  take("obstacles", expected.obstacles, top_.obstacles());
-  take("counts", expected.counts, top_.counts());
+  take(Port::points, expected.points, top_.points());
+  take(Port::obstacles, expected.obstacles, top_.obstacles());
+  take(Port::counts, expected.counts, top_.counts());
   bits += compare_taps(expected, top_.taps(), first);
-  if (bits != 0) tell(tally_.wrong_frames, first);
+  if (bits != 0) tell(tally_.wrong_frames, first->words);
   return expected.status;
 }
 

@@ -7,7 +7,7 @@
 namespace floorline::cosim {
 namespace {
 
-/// With counters on the FIFOs between the stages. They look at registers of rtl/lib/fifo.v through
+/// With counters on the stages and the FIFOs between them. They look at registers of rtl/lib through
 /// Verilator's names for them, so that the RTL needs no counters for it.
 template <typename Verilated>
 class CountedTop final : public VerilatedTop<Verilated> {
@@ -16,20 +16,27 @@ class CountedTop final : public VerilatedTop<Verilated> {
 
   bool tick(Agents& agents, std::uint64_t cycle) override {
     const bool moved = VerilatedTop<Verilated>::tick(agents, cycle);
-    count();
+    count_channels();
+    count_stages();
     return moved;
   }
 
-  std::vector<ChannelCounts> take_channels() override { return std::exchange(channels_, {}); }
+  Activity take_activity() override {
+    const Activity activity = {{channels_.begin(), channels_.end()}, {stages_.begin(), stages_.end()}};
+    channels_ = {};
+    for (StageRun& stage : stages_) stage.longest = 0;
+    return activity;
+  }
 
  private:
-  void count() {
+  void count_channels() {
     const auto& root = *this->verilated().rootp;
-    std::size_t next = 0;
+    auto next = channels_.begin();
     const auto hold = [&](const char* name, std::uint32_t depth, std::uint32_t words, bool not_empty,
                           bool not_full) {
-      if (next == channels_.size()) channels_.push_back({name, depth, 0, 0, 0, 0});
-      ChannelCounts& channel = channels_[next++];
+      ChannelCounts& channel = *next++;
+      channel.name = name;
+      channel.depth = depth;
       ++channel.cycles;
       channel.empty += !not_empty;
       channel.full += !not_full;
@@ -67,7 +74,39 @@ class CountedTop final : public VerilatedTop<Verilated> {
 #undef FIFO
   }
 
-  std::vector<ChannelCounts> channels_;
+  /// Between two frames a stage is in state 0, S_IDLE, for a cycle at least.
+  void count_stages() {
+    const auto& root = *this->verilated().rootp;
+    std::size_t next = 0;
+    const auto run = [&](const char* name, bool busy) {
+      std::uint32_t& running = running_[next];
+      StageRun& stage = stages_[next++];
+      stage.name = name;
+      if (busy) {
+        ++running;
+      } else if (running != 0) {
+        stage.longest = std::max(stage.longest, std::exchange(running, 0));
+      }
+    };
+#define STAGE(name) run(#name, root.floorline_top__DOT__core__DOT__##name##__DOT__state != 0)
+    STAGE(luma);
+    STAGE(frame_ring);
+    STAGE(difference);
+    STAGE(displacement);
+    STAGE(gaussian);
+    STAGE(otsu);
+    STAGE(binarize);
+    STAGE(erode);
+    STAGE(roi);
+    STAGE(polar);
+    STAGE(birdseye);
+    STAGE(cluster);
+#undef STAGE
+  }
+
+  std::array<ChannelCounts, 14> channels_ = {};
+  std::array<StageRun, 12> stages_ = {};
+  std::array<std::uint32_t, 12> running_ = {};  ///< Cycles since a stage's start; 0: it waits for one.
 };
 
 }  // namespace

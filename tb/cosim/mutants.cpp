@@ -39,7 +39,7 @@ Finding by_frames(int frames, const std::function<cv::Size(RandomFrames&)>& size
   };
   const Result result = cosimulate({{640, 480}, frames, frame, stalls, kSeed, {}, {}});
   for (const FrameVerdict& verdict : result.frames) {
-    if (verdict.differences() != 0) return verdict.first_difference;
+    if (verdict.differences() != 0) return verdict.first_difference->words;
   }
   return {};
 }

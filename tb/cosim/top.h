@@ -9,11 +9,13 @@
 #include <memory>
 #include <opencv2/core/types.hpp>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 #include "host/driver.h"
 #include "tb/cosim/axi_lite.h"
 #include "tb/cosim/axi_stream.h"
+#include "tb/cosim/port_watch.h"
 #include "tb/cosim/stalls.h"
 
 namespace floorline::cosim {
@@ -33,12 +35,8 @@ enum class Configuration {
 /// The smallest one that holds frames of this size. Throws Error when none does.
 Configuration configuration_for(cv::Size largest_frame);
 
-/// The outputs that show what passes between stages, in the order of the pipeline.
-enum class Tap { difference, motion, blurred, region };
-constexpr std::array<const char*, 4> kTapNames = {"difference", "motion", "blurred", "region"};
-
 /// Elements that passed on each tap and were not compared yet.
-using TapElements = std::array<std::vector<std::uint8_t>, kTapNames.size()>;
+using TapElements = std::array<std::vector<std::uint8_t>, kTapCount>;
 
 /// What is connected to the ports.
 struct Agents {
@@ -60,6 +58,20 @@ struct ChannelCounts {
   std::uint64_t full;    ///< Cycles in which its writer found no room.
 };
 
+/// What a stage took, over some cycles.
+struct StageRun {
+  std::string_view name;  ///< As in hls/accelerator.h.
+  std::uint32_t longest;  ///< Cycles from its start to its end in a frame, the longest of those that ended.
+
+  bool operator==(const StageRun&) const = default;
+};
+
+/// Inside the core, since somebody asked last.
+struct Activity {
+  std::vector<ChannelCounts> channels;  ///< FIFOs between the stages in order.
+  std::vector<StageRun> stages;         ///< In order.
+};
+
 /// The Verilator model of one configuration.
 class TopModel {
  public:
@@ -74,8 +86,10 @@ class TopModel {
   virtual void tick_unseen() = 0;
   virtual bool interrupt() const = 0;
   virtual void record(const std::filesystem::path& file) = 0;
-  /// Of the FIFOs between the stages in order, since the last call; none for models that do not count.
-  virtual std::vector<ChannelCounts> take_channels() { return {}; }
+  /// Shows every cycle's ports to `watch` from now on.
+  virtual void show(PortWatch& watch) = 0;
+  /// Since the last call; nothing for models that do not count.
+  virtual Activity take_activity() { return {}; }
 };
 
 /// Of the library that is linked: cosim_models, or the seeded bugs of mutants.cpp. Registers without reset
@@ -105,8 +119,8 @@ class Top : public RegisterBus {
   bool interrupt() const { return model_->interrupt(); }
   std::uint64_t cycles() const { return cycle_; }
 
-  /// Of the FIFOs between the stages in order, since the last call.
-  std::vector<ChannelCounts> take_channels() { return model_->take_channels(); }
+  /// Since the last call.
+  Activity take_activity() { return model_->take_activity(); }
 
   /// RegisterBus. Throws Error for an access that the core answers with SLVERR.
   std::uint32_t read32(std::uint32_t offset) override;
@@ -117,6 +131,8 @@ class Top : public RegisterBus {
 
   /// Waves (FST) of all signals from now on, until the Top goes.
   void record(const std::filesystem::path& file) { model_->record(file); }
+  /// Shows every cycle's ports to `watch` from now on.
+  void show(PortWatch& watch) { model_->show(watch); }
 
   static constexpr std::uint64_t kIdleLimit = 100'000;
 

@@ -37,6 +37,7 @@ class VerilatedTop : public TopModel {
     top_->aclk = 0;
     top_->eval();
     if (waves_) waves_->dump(2 * cycle);
+    if (watch_ != nullptr) watch_->see({cycle, ports()});
     const bool moved = sample(agents, cycle);
     top_->aclk = 1;
     top_->eval();
@@ -63,6 +64,8 @@ class VerilatedTop : public TopModel {
     top_->trace(waves_.get(), 99);
     waves_->open(file.c_str());
   }
+
+  void show(PortWatch& watch) override { watch_ = &watch; }
 
  protected:
   Verilated& verilated() { return *top_; }
@@ -101,14 +104,13 @@ class VerilatedTop : public TopModel {
       return (valid || to.waiting() || in_reset) &&
              to.sample(valid, {element(data), user, last}, in_reset, cycle);
     };
-    const auto tap = [&](Tap of, bool passes, std::uint8_t data) {
-      if (passes) agents.taps[static_cast<int>(of)].push_back(data);
+    const auto tap = [&](std::size_t of, bool passes, std::uint8_t data) {
+      if (passes) agents.taps[of].push_back(data);
     };
-    tap(Tap::difference, top_->tap_difference_tvalid & top_->tap_difference_tready,
-        top_->tap_difference_tdata);
-    tap(Tap::motion, top_->tap_motion_tvalid & top_->tap_motion_tready, top_->tap_motion_tdata);
-    tap(Tap::blurred, top_->tap_blurred_tvalid & top_->tap_blurred_tready, top_->tap_blurred_tdata);
-    tap(Tap::region, top_->tap_region_tvalid & top_->tap_region_tready, top_->tap_region_tdata);
+    tap(0, top_->tap_difference_tvalid & top_->tap_difference_tready, top_->tap_difference_tdata);
+    tap(1, top_->tap_motion_tvalid & top_->tap_motion_tready, top_->tap_motion_tdata);
+    tap(2, top_->tap_blurred_tvalid & top_->tap_blurred_tready, top_->tap_blurred_tdata);
+    tap(3, top_->tap_region_tvalid & top_->tap_region_tready, top_->tap_region_tdata);
     bool moved = agents.video.sample(top_->s_axis_video_tready);
     moved |= sink(agents.points, top_->m_axis_points_tvalid, top_->m_axis_points_tdata,
                   top_->m_axis_points_tuser, top_->m_axis_points_tlast);
@@ -128,9 +130,25 @@ class VerilatedTop : public TopModel {
     return moved;
   }
 
+  /// In the order of Port.
+  decltype(PortCycle::ports) ports() const {
+    const auto port = [](bool valid, bool ready, const auto& data) {
+      return PortState{valid, ready, element(data)};
+    };
+    return {port(top_->s_axis_video_tvalid, top_->s_axis_video_tready, top_->s_axis_video_tdata),
+            port(top_->m_axis_points_tvalid, top_->m_axis_points_tready, top_->m_axis_points_tdata),
+            port(top_->m_axis_obstacles_tvalid, top_->m_axis_obstacles_tready, top_->m_axis_obstacles_tdata),
+            port(top_->m_axis_counts_tvalid, top_->m_axis_counts_tready, top_->m_axis_counts_tdata),
+            port(top_->tap_difference_tvalid, top_->tap_difference_tready, top_->tap_difference_tdata),
+            port(top_->tap_motion_tvalid, top_->tap_motion_tready, top_->tap_motion_tdata),
+            port(top_->tap_blurred_tvalid, top_->tap_blurred_tready, top_->tap_blurred_tdata),
+            port(top_->tap_region_tvalid, top_->tap_region_tready, top_->tap_region_tdata)};
+  }
+
   VerilatedContext context_;
   std::unique_ptr<Verilated> top_;
   std::unique_ptr<VerilatedFstC> waves_;
+  PortWatch* watch_ = nullptr;
 };
 
 }  // namespace floorline::cosim

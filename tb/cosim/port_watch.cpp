@@ -1,0 +1,16 @@
+#include "tb/cosim/port_watch.h"
+
+namespace floorline::cosim {
+
+void PortWatch::see(const PortCycle& cycle) {
+  if (passed()) {
+    if (after_ == kAfter) return;
+    ++after_;
+  } else {
+    if (cycles_.size() > kBefore) cycles_.pop_front();
+    if (cycle.ports[static_cast<std::size_t>(port_)].moves()) --to_pass_;
+  }
+  cycles_.push_back(cycle);
+}
+
+}  // namespace floorline::cosim
