@@ -11,7 +11,8 @@
 /// Distances are exact squares of coordinates cut down to Q8.9 (2 mm), so that they fit an 18-bit multiplier.
 ///
 /// Cycles: 1 a line at frame start; about 6 a point; at frame end line_count + ~6 an obstacle, and as many
-/// once more. Points of the next frame wait in their FIFO meanwhile. Two DSP48E1.
+/// once more. Points of the next frame wait in their FIFO meanwhile. Six DSP48E1: a range is formed anew
+/// wherever it is compared, which costs less than a memory of them.
 #ifndef FLOORLINE_HLS_CLUSTER_H
 #define FLOORLINE_HLS_CLUSTER_H
 
@@ -46,8 +47,11 @@ inline Metres coarse(ap_int<24> metres) {
   return metres >> 7;
 }
 
-inline SquaredMetres squared_range(Metres x, Metres y) {
+/// Of a FloorPoint or a Candidate.
+template <typename Point>
+inline SquaredMetres squared_range(const Point& point) {
 #pragma HLS INLINE
+  const Metres x = coarse(point.x), y = coarse(point.y);
   return SquaredMetres(x * x + y * y);
 }
 
@@ -67,7 +71,7 @@ void cluster(hls::stream<FloorPoint>& points, hls::stream<Obstacle>& obstacles, 
              ap_uint<24> gap, LineIndex min_lines) {
   using namespace clustering;
   static Candidate candidates[MAX_LINES];
-  static SquaredMetres ranges[MAX_LINES];  ///< Of the candidates; NOWHERE: none, or on an obstacle already.
+  static ap_uint<1> present[MAX_LINES];  ///< 0: the line has no candidate, or it is on an obstacle already.
 #pragma HLS AGGREGATE variable = candidates
   const ap_uint<17> coarse_gap = gap >> 7;
 
@@ -76,18 +80,18 @@ CLEAR:
   for (ap_uint<9> line = 0; line < line_count; ++line) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 0 max = MAX_LINES
-    ranges[line] = NOWHERE;
+    present[line] = 0;
   }
 
 SELECT:
   for (bool ended = false; !ended;) {
     const FloorPoint point = points.read();
     ended = point.end;
-    const SquaredMetres range = squared_range(coarse(point.x), coarse(point.y));
-    if (!ended && range < ranges[point.line]) {
+    const bool nearer = squared_range(point) < squared_range(candidates[point.line]);
+    if (!ended && (!present[point.line] || nearer)) {
       const Candidate better = {point.u, point.v, point.rows, point.x, point.y, point.clipped};
       candidates[point.line] = better;
-      ranges[point.line] = range;
+      present[point.line] = 1;
     }
   }
 
@@ -112,18 +116,18 @@ TAKE:
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 0 max = MAX_LINES
 // True: a line is read and then written once a pass.
-#pragma HLS DEPENDENCE variable = ranges inter false
+#pragma HLS DEPENDENCE variable = present inter false
       const Candidate candidate = candidates[line];
-      const SquaredMetres range = ranges[line];
-      const bool present = range != NOWHERE;
-      const bool here = found && present && near(coarse(candidate.x), x, coarse_gap) &&
+      const bool stands = present[line];
+      const SquaredMetres range = squared_range(candidate);
+      const bool here = found && stands && near(coarse(candidate.x), x, coarse_gap) &&
                         near(coarse(candidate.y), y, coarse_gap);
       if (here) {
-        ranges[line] = NOWHERE;
+        present[line] = 0;
         if (lines == 0) first_line = line;
         last_line = line;
         ++lines;
-      } else if (range < next_range) {
+      } else if (stands && range < next_range) {
         next = line;
         next_range = range;
       }
