@@ -26,6 +26,18 @@ inline bool fits(const Wide& value) {
   return ap_int<BITS>(value) == value;
 }
 
+/// per_u * u + per_v * v + start, with factors cut at bit 17: each product with the addition behind it is
+/// then one DSP48E1.
+inline ap_int<47> linear(ap_int<32> per_u, Coordinate u, ap_int<32> per_v, Size v, ap_int<32> start) {
+#pragma HLS INLINE
+  const int CUT = 17;
+  const ap_uint<CUT> u_low = per_u, v_low = per_v;
+  const ap_int<32 - CUT> u_high = per_u >> CUT, v_high = per_v >> CUT;
+  const ap_int<36> low = start + u_low * u + v_low * v;
+  const ap_int<47 - CUT> high = (low >> CUT) + u_high * u + v_high * v;
+  return (ap_int<47>(high) << CUT) + ap_uint<CUT>(low);
+}
+
 /// Contacts of one frame, up to and including `end` -> their floor points, in the same order, and `end`.
 inline void birdseye(hls::stream<Contact>& contacts, hls::stream<FloorPoint>& points,
                      const ProjectiveMap& map) {
@@ -44,7 +56,7 @@ ROWS:
     const ap_int<32> per_v = row == DENOMINATOR ? map.zv : row == FORWARD ? map.xv : map.yv;
     // reciprocal() takes Z less one LSB.
     const ap_int<32> start = row == DENOMINATOR ? ap_int<32>(map.z1 - 1) : row == FORWARD ? map.x1 : map.y1;
-    const ap_int<47> sum = per_u * contact.u + per_v * contact.v + start;
+    const ap_int<47> sum = linear(per_u, contact.u, per_v, contact.v, start);
 
     // Q14.18 rounded to the 25 bits of a multiplier, Q11.14; the quotient then has 14 + 13 - 11 fraction
     // bits.
