@@ -109,12 +109,8 @@ class Narrower {
                 operand(op, 0).is_signed};
       case OpKind::kSelect:
         return joined(operand(op, 1), operand(op, 2));
-      case OpKind::kPhi: {
-        if (op.operands.empty()) return full;
-        Form all = operand(op, 0);
-        for (size_t i = 1; i < op.operands.size(); ++i) all = joined(all, operand(op, i));
-        return all;
-      }
+      case OpKind::kPhi:
+        return form_of_choices(op);
       case OpKind::kZExt:
         return operand(op, 0).is_signed ? Form{process_[op.operands[0]].type_width, false} : operand(op, 0);
       case OpKind::kSExt: {
@@ -131,6 +127,27 @@ class Narrower {
       default:
         return full;
     }
+  }
+
+  /// A phi holds one of the values that it, and the selects and phis among its operands, choose from. These
+  /// may lead back to the phi, which adds nothing: the least value so far is as wide as the values compared.
+  Form form_of_choices(const Operation& phi) const {
+    std::set<ValueId> seen;
+    std::vector<ValueId> open = phi.operands;
+    Form all{0, false};
+    while (!open.empty()) {
+      ValueId id = open.back();
+      open.pop_back();
+      if (!seen.insert(id).second) continue;
+      const Operation& choice = process_[id];
+      if (choice.kind == OpKind::kPhi)
+        open.insert(open.end(), choice.operands.begin(), choice.operands.end());
+      else if (choice.kind == OpKind::kSelect)
+        open.insert(open.end(), choice.operands.begin() + 1, choice.operands.end());
+      else
+        all = all.bits ? joined(all, form(id)) : form(id);
+    }
+    return all.bits ? all : Form{phi.type_width, false};
   }
 
   /// A memory is as wide as the widest value stored in it; those that start undefined need no more.

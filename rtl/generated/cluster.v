@@ -33,12 +33,11 @@ module cluster (
     localparam [3:0] S_FOR_8_1 = 4'd6;
     localparam [3:0] S_FOR_9 = 4'd7;
     localparam [3:0] S_FOR_10 = 4'd8;
-    localparam [3:0] S_FOR_11 = 4'd9;
-    localparam [3:0] S_FOR_12 = 4'd10;
-    localparam [3:0] S_IF_2 = 4'd11;
-    localparam [3:0] S_IF_3 = 4'd12;
-    localparam [3:0] S_FOR_13 = 4'd13;
-    localparam [3:0] S_DONE = 4'd14;
+    localparam [3:0] S_FOR_12 = 4'd9;
+    localparam [3:0] S_IF_2 = 4'd10;
+    localparam [3:0] S_IF_3 = 4'd11;
+    localparam [3:0] S_FOR_13 = 4'd12;
+    localparam [3:0] S_DONE = 4'd13;
     reg [3:0] state;
 
     reg [8:0] line;
@@ -52,7 +51,7 @@ module cluster (
     reg [7:0] next;
     reg [8:0] lines;
     reg [8:0] line_2;
-    reg [63:0] next_range;
+    reg [34:0] next_range;
     reg [2:0] for_10_active;  // stages at work
     reg [34:0] next_range_3;
     reg [8:0] lines_3;
@@ -72,11 +71,6 @@ module cluster (
     reg candidates_6_data_q;
     reg [16:0] value_23_q;
     reg [16:0] value_24_q;
-    reg [63:0] next_range_2_q;
-    reg [8:0] lines_2_q;
-    reg [7:0] next_2_q;
-    reg [7:0] last_line_2_q;
-    reg [7:0] first_line_2_q;
     reg end_2_s1;
     reg [7:0] value_9_s1;
     reg [33:0] sum_2_s2;
@@ -87,6 +81,7 @@ module cluster (
     reg either_2_s2;
     reg [7:0] value_36_s1;
     reg [7:0] value_36_s2;
+    reg [7:0] last_line_2_s2;
     reg test_10_s1;
     reg test_10_s2;
     reg [85:0] candidates_6_store_word_s1;
@@ -215,13 +210,13 @@ module cluster (
     wire both_17 = both_13 & differs_4;
     wire either = both_14 | differs_2;
     wire either_2 = either | both_17;
-    wire test_8 = next_range > {30'd0, sum_4_s2};
+    wire test_8 = next_range > {1'd0, sum_4_s2};
     wire both_18 = present_data_2_s2 & test_8;  // cluster.h:130
     wire [7:0] value_36 = line_2[7:0];  // cluster.h:130
     wire test_9 = lines == 9'd0;  // cluster.h:127
     wire [7:0] chosen = test_9 ? value_36_s2 : first_line;  // cluster.h:127
     wire both_19 = either_2_s2 & both_18;  // cluster.h:126
-    wire [63:0] next_range_2 = both_19 ? {30'd0, sum_4_s2} : next_range;  // cluster.h:126
+    wire [34:0] next_range_2 = both_19 ? {1'd0, sum_4_s2} : next_range;  // cluster.h:126
     wire differs_5 = ~either_2_s2;  // cluster.h:126
     wire [8:0] lines_2 = lines + {8'd0, differs_5};  // cluster.h:126
     wire [7:0] next_2 = both_19 ? value_36_s2 : next;  // cluster.h:126
@@ -229,9 +224,6 @@ module cluster (
     wire [7:0] first_line_2 = either_2_s2 ? first_line : chosen;  // cluster.h:126
     wire [8:0] sum_5 = line_2 + 9'd1;  // cluster.h:115
     wire test_10 = sum_5 < line_count;  // cluster.h:115
-
-    // cluster.h:70: for_11
-    wire [34:0] extract = next_range_2_q[34:0];
 
     // cluster.h:112:15: for_12
     wire test_11 = lines_3 >= {1'd0, min_lines};
@@ -367,9 +359,6 @@ module cluster (
                 for_10_active[0] <= 1'b1;
             end
             S_FOR_10: if (for_10_active[2] & for_10_ce & ~test_10_s2) begin
-                state <= S_FOR_11;
-            end
-            S_FOR_11: if (~stall) begin
                 state <= S_FOR_12;
             end
             S_FOR_12: if (~stall) begin
@@ -416,14 +405,14 @@ module cluster (
             next <= 8'd0;
             lines <= 9'd0;
             line_2 <= 9'd0;
-            next_range <= 64'h7FFFFFFFF;
+            next_range <= 35'h7FFFFFFFF;
         end
-        if ((state == S_FOR_11) & ~stall) begin
-            next_range_3 <= extract;
-            lines_3 <= lines_2_q;
-            nearest_2 <= next_2_q;
-            obstacle <= last_line_2_q;
-            obstacle_2 <= first_line_2_q;
+        if (for_10_active[2] & for_10_ce & ~test_10_s2) begin
+            next_range_3 <= next_range_2;
+            lines_3 <= lines_2;
+            nearest_2 <= next_2;
+            obstacle <= last_line_2_s2;
+            obstacle_2 <= first_line_2;
         end
         if ((state == S_IF_3) & ~stall & both_27) begin
             found <= 1'd1;
@@ -450,11 +439,6 @@ module cluster (
         if ((state == S_FOR_8_1) & ~stall) candidates_6_data_q <= candidates_6_data;
         if ((state == S_FOR_9) & ~stall) value_23_q <= value_23;
         if ((state == S_FOR_9) & ~stall) value_24_q <= value_24;
-        if (for_10_active[2] & for_10_ce) next_range_2_q <= next_range_2;
-        if (for_10_active[2] & for_10_ce) lines_2_q <= lines_2;
-        if (for_10_active[2] & for_10_ce) next_2_q <= next_2;
-        if (for_10_active[1] & for_10_ce) last_line_2_q <= last_line_2;
-        if (for_10_active[2] & for_10_ce) first_line_2_q <= first_line_2;
         if (for_6_active[0] & for_6_ce) begin
             end_2_s1 <= end_2;
             value_9_s1 <= value_9;
@@ -471,6 +455,7 @@ module cluster (
             either_2_s2 <= either_2;
             value_36_s1 <= value_36;
             value_36_s2 <= value_36_s1;
+            last_line_2_s2 <= last_line_2;
             test_10_s1 <= test_10;
             test_10_s2 <= test_10_s1;
         end
