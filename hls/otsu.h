@@ -91,10 +91,7 @@ inline void shift_up(ap_uint<BITS>& mantissa, ap_uint<6>& digits) {
   const bool second = mantissa >> (BITS - 2 * DIGIT) == 0;
   const bool third = 3 * DIGIT < BITS && mantissa >> (BITS - 3 * DIGIT) == 0;
   const ap_uint<2> zeros = third ? 3 : second ? 2 : first ? 1 : 0;
-  mantissa = third    ? ap_uint<BITS>(mantissa << 3 * DIGIT)
-             : second ? ap_uint<BITS>(mantissa << 2 * DIGIT)
-             : first  ? ap_uint<BITS>(mantissa << DIGIT)
-                      : mantissa;
+  mantissa = mantissa << DIGIT * zeros;
   digits = digits << 2 | zeros;
 }
 
@@ -121,6 +118,11 @@ inline Logarithm logarithm(ap_uint<BITS> x) {
 const int LIMB_BITS = 17;  ///< A product of two limbs is one DSP48E1.
 typedef ap_uint<LIMB_BITS> Limb;
 
+/// Six limbs and zeros: those above them, and as indices wrap, those below.
+struct PaddedLimbs {
+  Limb limb[16];
+};
+
 /// Steps through the partial products of a long multiplication whose first factor has three limbs, column by
 /// column: term i of column k is x[i] * y[k - i].
 struct LongMultiplication {
@@ -129,15 +131,20 @@ struct LongMultiplication {
 
   LongMultiplication() : column(0), term(0) {}
 
+  bool column_start() const { return term == 0; }
   bool column_end() const { return term == 2; }
 
-  /// One partial product; 0 where y has no such limb.
-  template <int Y_LIMBS>
+  /// One partial product of a second factor of three limbs.
   ap_uint<2 * LIMB_BITS> product(const Limb* x, const Limb* y) const {
 #pragma HLS INLINE
     const ap_int<5> limb = column - term;
-    const Limb factor = limb >= 0 && limb < Y_LIMBS ? y[limb] : Limb(0);
-    return x[term] * factor;
+    return x[term] * (limb >= 0 && limb < 3 ? y[limb] : Limb(0));
+  }
+
+  /// One partial product of a second factor of six limbs.
+  ap_uint<2 * LIMB_BITS> product(const Limb* x, const PaddedLimbs& y) const {
+#pragma HLS INLINE
+    return x[term] * y.limb[ap_uint<4>(column - term)];
   }
 
   void advance() {
@@ -156,24 +163,22 @@ inline void split(ap_uint<BITS> value, Limb* limbs) {
   limbs[2] = extended.range(3 * LIMB_BITS - 1, 2 * LIMB_BITS);
 }
 
-inline void square(const Limb* value, Limb* result) {
+inline void square(const Limb* value, PaddedLimbs& result) {
 #pragma HLS INLINE
   ap_uint<2 * LIMB_BITS + 2> sum = 0;
 SQUARE:
   for (LongMultiplication at; at.column < 6; at.advance()) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 18 max = 18
-    sum = sum + at.product<3>(value, value);
-    if (at.column_end()) {
-      result[at.column] = sum;
-      sum = sum >> LIMB_BITS;
-    }
+    const ap_uint<2 * LIMB_BITS + 2> carried = at.column_start() ? sum >> LIMB_BITS : sum;
+    sum = carried + at.product(value, value);
+    if (at.column_end()) result.limb[at.column] = sum;
   }
 }
 
 /// Whether fraction a exceeds fraction b: whether the difference of the cross products is positive. Its limbs
 /// come lowest first; what is left when they are gone is 0 or -1, its sign.
-inline bool greater(const Limb* a_numerator, const Limb* a_denominator, const Limb* b_numerator,
+inline bool greater(const PaddedLimbs& a_numerator, const Limb* a_denominator, const PaddedLimbs& b_numerator,
                     const Limb* b_denominator) {
 #pragma HLS INLINE
   ap_int<2 * LIMB_BITS + 3> difference = 0;
@@ -183,12 +188,10 @@ COMPARE:
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 27 max = 27
     const ap_int<2 * LIMB_BITS + 1> term =
-        at.product<6>(b_denominator, a_numerator) - at.product<6>(a_denominator, b_numerator);
-    difference = difference + term;
-    if (at.column_end()) {
-      if (Limb(difference) != 0) differs = true;
-      difference = difference >> LIMB_BITS;
-    }
+        at.product(b_denominator, a_numerator) - at.product(a_denominator, b_numerator);
+    const ap_int<2 * LIMB_BITS + 3> carried = at.column_start() ? difference >> LIMB_BITS : difference;
+    difference = carried + term;
+    if (at.column_end() && Limb(difference) != 0) differs = true;
   }
   return differs && difference >= 0;
 }
@@ -198,8 +201,9 @@ template <typename Widths>
 inline Pixel best_contender(const Contender<Widths>* contenders, ap_uint<9> size,
                             typename Widths::Count total) {
 #pragma HLS INLINE
-  // The fraction d^2 / (q (N - q)) of a contender and of the best one so far, in limbs, lowest first.
-  Limb numerator[6], best_numerator[6];
+  // The fraction d^2 / (q (N - q)) of a contender and of the best one so far, in limbs, lowest first. Static,
+  // for the zeros around the limbs.
+  static PaddedLimbs numerator, best_numerator;
   Limb denominator[3], best_denominator[3];
   Pixel best_level = 0;
 CONTENDERS:
@@ -215,7 +219,7 @@ CONTENDERS:
     KEEP:
       for (int limb = 0; limb < 6; ++limb) {
 #pragma HLS PIPELINE II = 1
-        best_numerator[limb] = numerator[limb];
+        best_numerator.limb[limb] = numerator.limb[limb];
         if (limb < 3) best_denominator[limb] = denominator[limb];
       }
     }
@@ -287,7 +291,7 @@ PIXELS:
   Contender<W> contenders[256];
 #pragma HLS AGGREGATE variable = contenders
   ap_uint<9> contender_count = 0;
-  Count count = 0;
+  bool occurs = false;  // the level does
   Count below = 0;
   ap_int<W::Deviation::width + 2> deviation = 0;
   ap_int<W::Sum::width + 1> excess = total_sum;  // S - N t
@@ -300,26 +304,27 @@ SCORES:
 #pragma HLS DEPENDENCE variable = histogram inter false
     const Pixel level = step >> 1;
     const bool deviation_turn = !step[0];
+    const typename W::Product product = below * (total - below);
+    const Contender<W> contender = {level, deviation, below};
     if (deviation_turn) {
-      count = histogram[level];
+      const Count count = histogram[level];
       histogram[level] = 0;
+      occurs = count != 0;
       below = below + count;
       deviation = deviation + count * excess;
       excess = excess - total;
     }
-    const typename W::Product product = below * (total - below);
     const typename W::Deviation operand =
         deviation_turn ? typename W::Deviation(deviation) : typename W::Deviation(product);
     const Logarithm result = logarithm<W::Deviation::width>(operand);
     if (deviation_turn) {
       deviation_logarithm = result;
-    } else if (count != 0 && below != total) {
+    } else if (occurs && below != total) {
       const ap_int<27> score = (ap_int<27>(deviation_logarithm) << 1) - result;
       const ap_int<27> surely_above = score - WINDOW;
       const ap_int<27> maybe_above = score + WINDOW;
       const bool restarts = surely_above > best_score;
       if (maybe_above >= best_score) {
-        const Contender<W> contender = {level, deviation, below};
         contenders[restarts ? Pixel(0) : Pixel(contender_count)] = contender;
         contender_count = restarts ? ap_uint<9>(1) : ap_uint<9>(contender_count + 1);
       }

@@ -173,6 +173,29 @@ std::string ProcessEmitter::sign_filled(ValueId id, unsigned width, Place at) {
   return resized_text(signal(id, at), op.bits, true, width);
 }
 
+/// Below 2^k all bits from k up are 0, below 0 the sign is 1: tools that see an order make a carry chain of
+/// it.
+std::string ProcessEmitter::top_bits_test(const Operation& op, unsigned width, bool is_signed, Place at) {
+  const Operation &value = process_[op.operands[0]], &bound = process_[op.operands[1]];
+  bool is_below = op.compare == CompareKind::kULt || op.compare == CompareKind::kSLt;
+  bool is_above = op.compare == CompareKind::kUGt || op.compare == CompareKind::kSGt;
+  bool is_whole = value.kind != OpKind::kConstant && value.bits == width && width > 1;
+  if (!is_whole || bound.kind != OpKind::kConstant || !(is_below || is_above)) return "";
+  std::string name = text(op.operands[0], width, at);
+  // x > c is x >= c + 1.
+  llvm::APInt limit =
+      bound.is_signed ? bound.constant.sextOrTrunc(width + 1) : bound.constant.zextOrTrunc(width + 1);
+  if (is_above) ++limit;
+  if (is_signed) {
+    if (!limit.isZero()) return "";
+    return (is_above ? "~" : "") + slice(name, width, width - 1, 1, false);
+  }
+  unsigned low = limit.isPowerOf2() ? limit.logBase2() : 0;
+  if (low == 0 || low >= width) return "";
+  return slice(name, width, low, width - low, false) + (is_below ? " == " : " != ") +
+         literal_text(llvm::APInt(width - low, 0), width - low);
+}
+
 std::string ProcessEmitter::comparison(const Operation& op, Place at) {
   const Operation &a = process_[op.operands[0]], &b = process_[op.operands[1]];
   auto bits_as = [&](const Operation& value, bool as_signed) {
@@ -193,6 +216,8 @@ std::string ProcessEmitter::comparison(const Operation& op, Place at) {
   } else {
     width = any_signed ? op.operand_width : std::max(a.bits, b.bits);
   }
+  std::string top = top_bits_test(op, width, use_signed, at);
+  if (!top.empty()) return top;
   std::string left = text(op.operands[0], width, at), right = text(op.operands[1], width, at);
   if (use_signed) {
     left = "$signed(" + left + ")";

@@ -128,6 +128,8 @@ class ProcessEmitter {
   /// A value whose representation is as wide as its type, as a number with sign of `width` bits.
   std::string sign_filled(ValueId id, unsigned width, Place at);
   std::string comparison(const Operation& op, Place at);
+  /// A comparison with a power of two or 0 as a test of the bits above it; empty where it is none.
+  std::string top_bits_test(const Operation& op, unsigned width, bool is_signed, Place at);
   std::string loaded(const Operation& op, Place at);
 
   // Memories (emit_memories.cpp)

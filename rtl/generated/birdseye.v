@@ -98,7 +98,7 @@ module birdseye (
     wire [11:0] shifted_3 = contacts_data[44:33];  // birdseye.h:54
     wire [45:0] both = contacts_data[45:0] & 46'h200000000000;  // birdseye.h:54
     wire clipped = both != 46'd0;  // birdseye.h:54
-    wire end_2 = $signed(contacts_data) < $signed(47'd0);  // birdseye.h:54
+    wire end_2 = contacts_data[46];  // birdseye.h:54
     wire [7:0] value = contacts_data[7:0];  // birdseye.h:54
     wire [7:0] contact_7 = test ? value : contact_6;  // birdseye.h:54
     wire [12:0] contact_8 = test ? shifted : contact_5;  // birdseye.h:54

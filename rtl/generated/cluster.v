@@ -108,7 +108,7 @@ module cluster (
     wire [23:0] shifted_4 = points_data[68:45];  // cluster.h:88
     wire [23:0] shifted_5 = points_data[92:69];  // cluster.h:88
     wire shifted_6 = points_data[93];  // cluster.h:88
-    wire end_2 = $signed(points_data) > $signed(95'h7FFFFFFFFFFFFFFFFFFFFFFF);  // cluster.h:88
+    wire end_2 = ~points_data[94];  // cluster.h:88
     wire [7:0] value_9 = points_data[7:0];  // cluster.h:90
     wire [85:0] candidates_4_data_element = candidates_q;  // cluster.h:54
     wire [23:0] candidates_4_data_0_part = candidates_4_data_element[23:0];  // cluster.h:54

@@ -48,13 +48,13 @@ module difference (
     // difference.h:19:3: loop for_2, II = 1, 1 stage
     wire [24:0] in_data = in_dout;  // difference.h:22
     wire [23:0] value_3 = in_data[23:0];  // difference.h:22
-    wire test = $signed(in_data) > $signed(25'd33554431);  // difference.h:23
+    wire test = ~in_data[24];  // difference.h:23
     wire [15:0] pair = value_3[23:8];  // difference.h:22
     wire [7:0] value_4 = in_data[7:0];  // types.h:19
     wire [7:0] value_5 = pair[7:0];  // types.h:19
     wire [8:0] difference_2 = {1'd0, value_4} - {1'd0, value_5};  // types.h:19
     wire [7:0] difference_3 = 8'd0 - difference_2[7:0];  // types.h:20
-    wire test_2 = $signed(difference_2) < $signed(9'd0);  // types.h:20
+    wire test_2 = difference_2[8];  // types.h:20
     wire [7:0] chosen = test_2 ? difference_3 : difference_2[7:0];  // types.h:20
     wire [7:0] changed = test ? 8'd0 : chosen;  // difference.h:23
     wire [15:0] both_3 = pair & 16'd65280;  // difference.h:26

@@ -115,7 +115,7 @@ module displacement (
     wire test_5 = at_5 > 10'd6;  // displacement.h:85
     wire either = test_4 | test_5;  // displacement.h:85
     wire [9:0] sum_3 = at_5 + 10'd1017;  // displacement.h:44
-    wire test_6 = sum_3 < 10'd8;  // displacement.h:44
+    wire test_6 = sum_3[9:3] == 7'd0;  // displacement.h:44
     wire [11:0] chosen_4 = test_6 ? gradients_17 : gradients;  // displacement.h:44
     wire test_7 = at_5 < 10'd7;  // displacement.h:43
     wire [11:0] chosen_5 = test_7 ? gradients_17 : sum_2;  // displacement.h:43

@@ -34,7 +34,7 @@ module duplicate (
 
     // duplicate.h:15:3: loop while_2, II = 1, 1 stage
     wire [94:0] in_data = in_dout;  // duplicate.h:17
-    wire element = $signed(in_data) < $signed(95'd0);  // duplicate.h:17
+    wire element = in_data[94];  // duplicate.h:17
 
     assign stall = 1'b0;
     assign while_2_ce = ~((while_2_active & ~in_empty_n) | (while_2_active & ~first_full_n) | (while_2_active & ~second_full_n));

@@ -89,7 +89,7 @@ module erode (
     wire [1:0] chosen_2 = test_6 ? middle : either_2;  // window.h:100
     wire [1:0] both_6 = chosen & chosen_2;  // erode.h:20
     wire [1:0] both_7 = both_6 & middle;  // erode.h:20
-    wire test_7 = both_7 > 2'd1;  // erode.h:21
+    wire test_7 = both_7[1] != 1'd0;  // erode.h:21
     wire [1:0] chosen_3 = test_7 ? 2'd2 : 2'd0;  // erode.h:21
     wire value_11 = middle[0];  // erode.h:21
     wire [1:0] either_5 = chosen_3 | {1'd0, value_11};  // erode.h:21

@@ -185,7 +185,7 @@ module frame_ring (
     // frame_ring.h:109:19: if_3
     wire [11:0] base_data = base;  // frame_ring.h:111
     wire [12:0] row = {1'd0, base_data} + {1'd0, height};  // frame_ring.h:111
-    wire test_3 = row > 13'd511;  // banks.h:15
+    wire test_3 = row[12:9] != 4'd0;  // banks.h:15
     wire [11:0] value_7 = row[11:0];  // banks.h:15
     wire [11:0] sum = value_7 + 12'd3584;  // banks.h:15
     wire [11:0] value_9 = row[11:0];  // banks.h:15
@@ -245,7 +245,7 @@ module frame_ring (
     wire [6:0] both_13 = sum_4[6:0] & 7'd64;  // frame_ring.h:53
     wire test_10 = both_13 == 7'd0;  // frame_ring.h:53
     wire test_11 = shifted_11 != 20'd1048575;  // frame_ring.h:54
-    wire test_12 = $signed(shifted_11) < $signed(20'd0);  // frame_ring.h:56
+    wire test_12 = shifted_11[19];  // frame_ring.h:56
     wire brmerge = test_10 | test_11;
     wire both_14 = test_12 & brmerge;  // frame_ring.h:56
     wire test_13 = $signed({8'd0, sum_2_q}) > $signed(shifted_11);  // frame_ring.h:56
@@ -274,7 +274,7 @@ module frame_ring (
     wire [6:0] both_20 = sum_6[6:0] & 7'd64;  // frame_ring.h:53
     wire test_16 = both_20 == 7'd0;  // frame_ring.h:53
     wire test_17 = shifted_16 != 20'd1048575;  // frame_ring.h:54
-    wire test_18 = $signed(shifted_16) < $signed(20'd0);  // frame_ring.h:56
+    wire test_18 = shifted_16[19];  // frame_ring.h:56
     wire brmerge_2 = test_16_s5 | test_17_s5;
     wire both_21 = test_18_s5 & brmerge_2;  // frame_ring.h:56
     wire test_19 = $signed({8'd0, sum_3_q}) > $signed(shifted_16);  // frame_ring.h:56
@@ -297,12 +297,12 @@ module frame_ring (
     wire both_27 = brmerge_3_s5 & both_26;
     wire both_28 = both_27 & either_5_s5;
     wire [12:0] sum_9 = {1'd0, base_data_q} + {1'd0, chosen_8};  // frame_ring.h:139
-    wire test_23 = sum_9 > 13'd511;  // banks.h:15
+    wire test_23 = sum_9[12:9] != 4'd0;  // banks.h:15
     wire [11:0] value_42 = sum_9[11:0];  // banks.h:15
     wire [11:0] sum_10 = value_42 + 12'd3584;  // banks.h:15
     wire [11:0] chosen_9 = test_23 ? sum_10 : value_42;  // banks.h:15
     wire [12:0] sum_11 = {1'd0, base_data_q} + {1'd0, sum_7_s4};  // frame_ring.h:140
-    wire test_24 = sum_11 > 13'd511;  // banks.h:15
+    wire test_24 = sum_11[12:9] != 4'd0;  // banks.h:15
     wire [11:0] value_43 = sum_11[11:0];  // banks.h:15
     wire [11:0] sum_12 = value_43 + 12'd3584;  // banks.h:15
     wire [11:0] chosen_10 = test_24 ? sum_12 : value_43;  // banks.h:15
@@ -378,11 +378,11 @@ module frame_ring (
     wire [19:0] sum_20 = sum_19 + 20'd2048;  // frame_ring.h:77
     wire [8:0] difference_5 = {1'd0, chosen_22_s6} - {1'd0, chosen_27_s6};  // types.h:19
     wire [7:0] difference_6 = 8'd0 - difference_5[7:0];  // types.h:20
-    wire test_29 = $signed(difference_5) < $signed(9'd0);  // types.h:20
+    wire test_29 = difference_5[8];  // types.h:20
     wire [7:0] chosen_28 = test_29 ? difference_6 : difference_5[7:0];  // types.h:20
     wire [8:0] difference_7 = {1'd0, chosen_25_s6} - {1'd0, chosen_26_s6};  // types.h:19
     wire [7:0] difference_8 = 8'd0 - difference_7[7:0];  // types.h:20
-    wire test_30 = $signed(difference_7) < $signed(9'd0);  // types.h:20
+    wire test_30 = difference_7[8];  // types.h:20
     wire [7:0] chosen_29 = test_30 ? difference_8 : difference_7[7:0];  // types.h:20
     wire test_31 = chosen_28 > chosen_29;  // frame_ring.h:81
     wire [7:0] chosen_30 = test_31 ? chosen_28 : chosen_29;  // frame_ring.h:81

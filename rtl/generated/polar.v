@@ -196,7 +196,7 @@ module polar (
     wire [1:0] extract = pixel[1:0];  // polar.h:120
     wire [1:0] chosen_2 = test_4 ? 2'd0 : extract;  // polar.h:120
     wire [9:0] sum_4 = at_4 + 10'd1023;  // polar.h:120
-    wire test_5 = sum_4 < 10'd2;  // polar.h:120
+    wire test_5 = sum_4[9:1] == 9'd0;  // polar.h:120
     wire [1:0] extract_2 = taps_6[1:0];
     wire [1:0] chosen_3 = test_5 ? 2'd0 : extract_2;  // polar.h:120
     wire [1:0] either_2 = chosen_3 | chosen_2;  // polar.h:130
@@ -337,7 +337,7 @@ module polar (
     wire both_22 = both_8_s1 & both_21;  // polar.h:149
     wire differs_6 = ~both_21;  // polar.h:149
     wire both_23 = both_8_s1 & differs_6;  // polar.h:149
-    wire test_20 = $signed(chosen_12) < $signed(13'd0);  // polar.h:168
+    wire test_20 = chosen_12[12];  // polar.h:168
     wire test_21 = $signed(chosen_12) < $signed({1'd0, width});  // polar.h:168
     wire [9:0] value_47 = chosen_12[9:0];  // polar.h:168
     wire [9:0] chosen_16 = test_21 ? value_47 : sum_2_q;  // polar.h:168
@@ -351,7 +351,7 @@ module polar (
     wire [1:0] left_columns_3_data_2_above = left_columns_2_data_element[15:14];  // polar.h:295
     wire [1:0] left_columns_3_data_2_part = left_columns_3_data_2_above;  // polar.h:295
     wire [1:0] left_columns_3_data = left_columns_3_data_2_part;  // polar.h:295
-    wire test_22 = $signed(chosen_13) < $signed(13'd0);  // polar.h:168
+    wire test_22 = chosen_13[12];  // polar.h:168
     wire test_23 = $signed(chosen_13) < $signed({1'd0, width});  // polar.h:168
     wire [9:0] value_50 = chosen_13[9:0];  // polar.h:168
     wire [9:0] chosen_18 = test_23 ? value_50 : sum_2_q;  // polar.h:168
@@ -365,7 +365,7 @@ module polar (
     wire [1:0] right_columns_3_data_3_above = right_columns_2_data_element[16:15];  // polar.h:296
     wire [1:0] right_columns_3_data_3_part = right_columns_3_data_3_above;  // polar.h:296
     wire [1:0] right_columns_3_data = right_columns_3_data_3_part;  // polar.h:296
-    wire test_24 = $signed(chosen_13) > $signed(13'd8191);
+    wire test_24 = ~chosen_13[12];
     wire both_24 = test_21 & test_24;  // polar.h:297
     wire differs_7 = ~both_24;  // polar.h:296
     wire both_26 = both_22_s2 & differs_7;  // polar.h:296
