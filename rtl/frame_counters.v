@@ -119,22 +119,35 @@ module frame_counters #(
         .m_ready(point && point_end)
     );
 
-    // The row that decides, and how many lines ago it was complete: 1 is the last complete line.
-    wire [SIZE_WIDTH-1:0] last_row     = height - 1'b1;
-    wire [SIZE_WIDTH:0]   wanted_row   = {1'b0, point_row} + {1'b0, rows_to_decide};
-    wire [SIZE_WIDTH:0]   deciding_row = (wanted_row > {1'b0, last_row}) ? {1'b0, last_row} : wanted_row;
-    wire [SIZE_WIDTH:0]   deciding_line = base_reg + deciding_row;
-    wire [SIZE_WIDTH:0]   lines_ago    = lines_reg - deciding_line;
-    wire                  remembered   = (lines_ago != 0) && (lines_ago <= 16);
+    // From a point to its latency in steps of one sum each, with the lines taken then:
+    //   wanted_row_reg   the row that decides, lines_back_reg: lines taken since the start of its frame;
+    //   deciding_row_reg the same row, at most the frame's last;
+    //   lines_ago_reg    lines taken since that row was complete: 1 is the last complete one;
+    //   line_time_reg    when it was complete;
+    //   latency_reg.
+    localparam STEPS = 4;  // from a point to line_time_reg
 
-    reg [WIDTH-1:0] line_times [0:15];  // when each of the last 16 lines was complete
-    reg [WIDTH-1:0] line_time_reg;
-    reg [WIDTH-1:0] point_time_reg;
-    reg             measure_reg;
-    reg             ended_reg;
+    reg [SIZE_WIDTH-1:0] last_row_reg;
+    reg [SIZE_WIDTH:0]   wanted_row_reg;
+    reg [SIZE_WIDTH:0]   lines_back_reg;
+    reg [SIZE_WIDTH:0]   lines_back_2_reg;
+    reg [SIZE_WIDTH:0]   deciding_row_reg;
+    reg [SIZE_WIDTH:0]   lines_ago_reg;
+    reg [3:0]            newest_reg;      // of line_times, at each step
+    reg [3:0]            newest_2_reg;
+    reg [3:0]            newest_3_reg;
+    reg [WIDTH-1:0]      line_times [0:15];  // when each of the last 16 lines was complete
+    reg [WIDTH-1:0]      line_time_reg;
+    reg [WIDTH-1:0]      point_time_reg;  // time_reg, STEPS cycles ago
+    reg [WIDTH-1:0]      latency_reg;
+    reg [STEPS-2:0]      point_reg;       // a point is at this step
+    reg [STEPS:0]        ended_reg;       // the end of a frame is
+    reg                  known_reg;       // line_time_reg is a point's
+    reg                  measure_reg;     // latency_reg is
 
-    wire [WIDTH-1:0] latency  = point_time_reg - line_time_reg;
-    wire [WIDTH-1:0] greatest = (measure_reg && latency > decision_reg) ? latency : decision_reg;
+    // The oldest of the 16 may be overwritten on the way.
+    wire                 remembered = (lines_ago_reg != 0) && (lines_ago_reg < 16);
+    wire [WIDTH-1:0]     greatest   = (measure_reg && latency_reg > decision_reg) ? latency_reg : decision_reg;
 
     always @(posedge clk) begin
         time_reg <= time_reg + 1'b1;
@@ -155,22 +168,38 @@ module frame_counters #(
                 base_reg <= next_base;
         end
 
-        measure_reg    <= point && !point_end && remembered;
-        ended_reg      <= point && point_end;
-        point_time_reg <= time_reg;
-        line_time_reg  <= line_times[deciding_line[3:0]];
-        decision_reg   <= ended_reg ? {WIDTH{1'b0}} : greatest;
-        if (ended_reg)
+        last_row_reg     <= height - 1'b1;
+        wanted_row_reg   <= {1'b0, point_row} + {1'b0, rows_to_decide};
+        lines_back_reg   <= lines_reg - base_reg;
+        newest_reg       <= lines_reg[3:0];
+        deciding_row_reg <= (wanted_row_reg > {1'b0, last_row_reg}) ? {1'b0, last_row_reg} : wanted_row_reg;
+        lines_back_2_reg <= lines_back_reg;
+        newest_2_reg     <= newest_reg;
+        lines_ago_reg    <= lines_back_2_reg - deciding_row_reg;
+        newest_3_reg     <= newest_2_reg;
+        line_time_reg    <= line_times[newest_3_reg - lines_ago_reg[3:0]];
+        latency_reg      <= point_time_reg - line_time_reg;
+
+        point_time_reg   <= point_time_reg + 1'b1;
+        point_reg        <= {point_reg[STEPS-3:0], point && !point_end};
+        ended_reg        <= {ended_reg[STEPS-1:0], point && point_end};
+        known_reg        <= point_reg[STEPS-2] && remembered;
+        measure_reg      <= known_reg;
+        decision_reg     <= ended_reg[STEPS] ? {WIDTH{1'b0}} : greatest;
+        if (ended_reg[STEPS])
             decision_latency <= greatest;
 
         if (rst) begin
-            time_reg     <= {WIDTH{1'b0}};
-            lines_reg    <= {SIZE_WIDTH+1{1'b0}};
-            base_reg     <= {SIZE_WIDTH+1{1'b0}};
-            decision_reg <= {WIDTH{1'b0}};
-            answered_reg <= 1'b0;
-            measure_reg  <= 1'b0;
-            ended_reg    <= 1'b0;
+            time_reg       <= {WIDTH{1'b0}};
+            point_time_reg <= {WIDTH{1'b0}} - STEPS[WIDTH-1:0];
+            lines_reg      <= {SIZE_WIDTH+1{1'b0}};
+            base_reg       <= {SIZE_WIDTH+1{1'b0}};
+            decision_reg   <= {WIDTH{1'b0}};
+            answered_reg   <= 1'b0;
+            point_reg      <= {STEPS-1{1'b0}};
+            ended_reg      <= {STEPS+1{1'b0}};
+            known_reg      <= 1'b0;
+            measure_reg    <= 1'b0;
             first_result_latency <= {WIDTH{1'b0}};
             decision_latency     <= {WIDTH{1'b0}};
         end
