@@ -21,7 +21,8 @@ struct Target {
   double stall;       ///< From a predicate through the stall logic to a clock enable, ns.
   unsigned multiplier_wide, multiplier_narrow;  ///< Signed operand widths of a multiplier block.
   unsigned block_words;                         ///< A RAM of more words is a deep_ram (rtl/lib); 0: none is.
-  double reach;                                 ///< From a register to the far blocks of a deep_ram, ns.
+  int least_fifo;  ///< Words of the smallest FIFO; that of one word lets m_ready through to s_ready.
+  double reach;    ///< From a register to the far blocks of a deep_ram, ns.
 };
 
 /// xc6v (Virtex-6), xc7 (7-series) or ecp5; throws CompileError for another name.

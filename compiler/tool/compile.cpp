@@ -142,6 +142,8 @@ class Compilation {
     std::vector<Process> processes;
     for (const CompiledProcess& compiled : result_.processes) processes.push_back(compiled.process);
     Region region = build_region(program_, middle, processes);
+    for (RegionStream& stream : region.streams)
+      stream.depth = std::max<int>(stream.depth, schedule_options_.target.least_fifo);
     CompiledProcess head = scheduled(region.head);
     region.head = head.process;
     result_.files.push_back(
