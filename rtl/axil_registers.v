@@ -205,7 +205,8 @@ module axil_registers (
         endcase
     end
 
-    // Frame parameters: what the host wrote.
+    // Frame parameters: what the host wrote. In LUTs, from where a word is there sooner than from a block RAM.
+    (* ram_style = "distributed" *)
     reg [31:0] store [0:63];
 
     always @(posedge clk) begin

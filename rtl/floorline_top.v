@@ -514,22 +514,42 @@ module floorline_top #(
 
     assign events = {frame_dropped, disabled_in_frame, long_line, short_line, late_sof, early_sof, results_done};
 
+    // The counters see everything one cycle later, so that no path runs through them from the input to the results.
+    wire point = m_axis_points_tvalid && m_axis_points_tready;
+    reg  counted_start_reg, counted_done_reg, counted_malformed_reg, counted_dropped_reg, counted_pixel_reg, counted_line_reg;
+    reg  input_stalled_reg, output_stalled_reg, point_reg, point_end_reg;
+    reg  [11:0] point_row_reg;
+
+    always @(posedge aclk) begin
+        counted_start_reg     <= frame_start && !rst;
+        counted_done_reg      <= frame_done && !rst;
+        counted_malformed_reg <= frame_malformed;
+        counted_dropped_reg   <= frame_dropped && !rst;
+        counted_pixel_reg     <= pixel_valid && pixel_ready && !rst;
+        counted_line_reg      <= line_done;
+        input_stalled_reg     <= s_axis_video_tvalid && !s_axis_video_tready && !rst;
+        output_stalled_reg    <= ((m_axis_points_tvalid && !m_axis_points_tready) ||
+                                  (m_axis_obstacles_tvalid && !m_axis_obstacles_tready) ||
+                                  (m_axis_counts_tvalid && !m_axis_counts_tready)) && !rst;
+        point_reg             <= point && !rst;
+        point_end_reg         <= m_axis_points_tlast;
+        point_row_reg         <= m_axis_points_tdata[32:21];
+    end
+
     frame_counters counters (
         .clk                 (aclk),
         .rst                 (rst),
-        .frame_start         (frame_start),
-        .frame_done          (frame_done),
-        .frame_malformed     (frame_malformed),
-        .frame_dropped       (frame_dropped),
-        .pixel               (pixel_valid && pixel_ready),
-        .line_done           (line_done),
-        .input_stalled       (s_axis_video_tvalid && !s_axis_video_tready),
-        .output_stalled      ((m_axis_points_tvalid && !m_axis_points_tready) ||
-                              (m_axis_obstacles_tvalid && !m_axis_obstacles_tready) ||
-                              (m_axis_counts_tvalid && !m_axis_counts_tready)),
-        .point               (m_axis_points_tvalid && m_axis_points_tready),
-        .point_end           (m_axis_points_tlast),
-        .point_row           (m_axis_points_tdata[32:21]),
+        .frame_start         (counted_start_reg),
+        .frame_done          (counted_done_reg),
+        .frame_malformed     (counted_malformed_reg),
+        .frame_dropped       (counted_dropped_reg),
+        .pixel               (counted_pixel_reg),
+        .line_done           (counted_line_reg),
+        .input_stalled       (input_stalled_reg),
+        .output_stalled      (output_stalled_reg),
+        .point               (point_reg),
+        .point_end           (point_end_reg),
+        .point_row           (point_row_reg),
         .rows_to_decide      (rule_run_rule ? rule_max_gap + 1'b1 : 12'd1),
         .height              (height),
         .frames              (frames),

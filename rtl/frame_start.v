@@ -17,7 +17,7 @@ module frame_start #(
     // Frame guard.
     input  wire                  start_request,
     output wire                  start_grant,
-    output wire                  refuse,             // with start_grant
+    output reg                   refuse,             // with start_grant
 
     // Register file.
     input  wire                  update_parameters,  // asked for by the host
@@ -51,10 +51,12 @@ module frame_start #(
     assign load        = begins && update_parameters;
     assign lines_done  = (state_reg == LINES) && update_lines && core_empty;
     assign start_grant = (state_reg == GRANT);
-    assign refuse      = width < LEAST[SIZE_WIDTH-1:0] || height < LEAST[SIZE_WIDTH-1:0] ||
-                         width > WIDTH_BOUND[SIZE_WIDTH-1:0] || height > HEIGHT_BOUND[SIZE_WIDTH-1:0];
 
     always @(posedge clk) begin
+        // The size is loaded first of the parameters, many cycles before load_done.
+        refuse <= width < LEAST[SIZE_WIDTH-1:0] || height < LEAST[SIZE_WIDTH-1:0] ||
+                  width > WIDTH_BOUND[SIZE_WIDTH-1:0] || height > HEIGHT_BOUND[SIZE_WIDTH-1:0];
+
         case (state_reg)
             IDLE:
                 if (begins)

@@ -18,11 +18,14 @@ struct Target {
   double multiply;    ///< One multiplier block, ns.
   double memory;      ///< Clock to output of a block RAM with routing, ns.
   double registers;   ///< Clock to output of a register with routing, ns.
+  double launch;      ///< Clock to operands from registers, with routing, ns; 0: the margin has it.
   double stall;       ///< From a predicate through the stall logic to a clock enable, ns.
+  double branch;  ///< From a branch's condition to the enables of the registers it sets, ns; 0: as launch.
   unsigned multiplier_wide, multiplier_narrow;  ///< Signed operand widths of a multiplier block.
-  unsigned block_words;                         ///< A RAM of more words is a deep_ram (rtl/lib); 0: none is.
-  int least_fifo;  ///< Words of the smallest FIFO; that of one word lets m_ready through to s_ready.
-  double reach;    ///< From a register to the far blocks of a deep_ram, ns.
+  bool adds_products;    ///< A multiplier block also adds another's product; else wide products are split.
+  unsigned block_words;  ///< A RAM of more words is a deep_ram (rtl/lib); 0: none is.
+  int least_fifo;        ///< Words of the smallest FIFO; that of one word lets m_ready through to s_ready.
+  double reach;          ///< From a register to the far blocks of a deep_ram, ns.
 };
 
 /// xc6v (Virtex-6), xc7 (7-series) or ecp5; throws CompileError for another name.

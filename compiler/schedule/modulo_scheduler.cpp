@@ -63,11 +63,11 @@ class AsapSolver {
   bool place(int op, int horizon) {
     const ScheduleOperation& operation = problem_.operations[op];
     int cycle = not_before_[op];
-    double begin = 0;
+    double begin = operation.launch;
     auto at_least = [&](int c, double t) {
       if (c > cycle) {
         cycle = c;
-        begin = t;
+        begin = std::max(operation.launch, t);
       } else if (c == cycle) {
         begin = std::max(begin, t);
       }
@@ -81,9 +81,9 @@ class AsapSolver {
         at_least(from_cycle + dependence.min_cycles, 0);
     }
     double needed = operation.delay + operation.tail;
-    if (begin > 0 && begin + needed > problem_.period + kSlack) {
+    if (begin > operation.launch && begin + needed > problem_.period + kSlack) {
       ++cycle;
-      begin = 0;
+      begin = operation.launch;
     }
     for (int tries = 0; !is_free(operation.resource, cycle); ++tries) {
       if (cycle > horizon || (problem_.ii && tries > problem_.ii)) {
@@ -91,7 +91,7 @@ class AsapSolver {
         return false;
       }
       ++cycle;
-      begin = 0;
+      begin = operation.launch;
     }
     occupy(operation.resource, cycle);
     schedule_.cycle[op] = cycle;

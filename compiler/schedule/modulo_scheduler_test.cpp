@@ -48,6 +48,16 @@ TEST_F(ModuloScheduler, ChainsWhatFitsInACycle) {
   EXPECT_EQ(schedule.cycle, (std::vector<int>{0, 0, 1}));
 }
 
+TEST_F(ModuloScheduler, EveryCycleBeginsWhenRegistersAreThere) {
+  problem.period = 5;
+  problem.operations = {operation(2), operation(2), operation(2), operation(9)};
+  for (ScheduleOperation& op : problem.operations) op.launch = 2;
+  problem.dependences = {data(0, 1), data(1, 2), data(2, 3)};
+  ASSERT_TRUE(solved());
+  EXPECT_EQ(schedule.cycle, (std::vector<int>{0, 1, 2, 3}));
+  EXPECT_EQ(schedule.begin, (std::vector<double>{2, 2, 2, 2}));
+}
+
 TEST_F(ModuloScheduler, SharesAResourceModuloIi) {
   problem.operations = {operation(1, 0, 0), operation(1, 0, 0), operation(1, 0, 0)};
   problem.limits = {1};

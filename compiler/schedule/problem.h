@@ -16,6 +16,7 @@ struct ScheduleOperation {
   double output_delay = 0;  ///< ns from the clock edge to the output; of operations with latency.
   double earliest =
       0;  ///< ns after the clock edge before which its output is not there (registers, FIFO outputs).
+  double launch = 0;         ///< ns after the clock edge before which no operand is there.
   double tail = 0;           ///< ns that must remain in the cycle behind it (stall logic of a stream access).
   int latency = 0;           ///< Cycles from start to output.
   int resource = -1;         ///< Index into limits; -1: none.

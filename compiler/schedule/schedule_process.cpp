@@ -91,6 +91,7 @@ class BlockScheduler {
       node.resource = resources_.of(process_, op);
       node.delay = delay_of(options_.target, process_, op);
       node.earliest = options_.target.registers;
+      node.launch = options_.target.launch;
       if (op.kind == OpKind::kLoad && process_.memories[op.object].load_latency > 0) {
         node.latency = process_.memories[op.object].load_latency;
         node.delay = 0;
@@ -99,6 +100,7 @@ class BlockScheduler {
       }
       if (op.is_memory_access() && is_deep(op)) node.tail = options_.target.reach;
       if (op.is_stream_access()) node.tail = options_.target.stall;
+      if (id == block_.terminator.condition && !block_.is_loop) node.tail = options_.target.branch;
       node.bits = op.has_result() && op.kind != OpKind::kConstant && op.kind != OpKind::kInput ? op.bits : 0;
       node.is_register = op.kind == OpKind::kPhi;
       node.is_fixed = op.has_effect() || op.kind == OpKind::kEmpty || op.kind == OpKind::kFull ||

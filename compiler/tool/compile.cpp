@@ -14,6 +14,7 @@
 #include "design/narrow.h"
 #include "design/share_loads.h"
 #include "design/simplify.h"
+#include "design/split_products.h"
 #include "middle/llvm_headers.h"
 #include "middle/pipeline.h"
 #include "report/latency.h"
@@ -99,6 +100,8 @@ class Compilation {
     tell("narrow", process);
     expand_divisions(process);
     expand_constant_products(process);
+    const Target& target = schedule_options_.target;
+    if (!target.adds_products) split_products(process, target.multiplier_narrow);
     tell("expand products and divisions", process);
     narrow(process);
     fold(process);
@@ -107,7 +110,7 @@ class Compilation {
     join_aggregates(process, result_.diagnostics);
     tell("simplify", process);
     for (Memory& memory : process.memories)
-      if (is_deep(schedule_options_.target, memory)) memory.load_latency = 2;
+      if (is_deep(target, memory)) memory.load_latency = 2;
     CompiledProcess made{process, schedule_process(process, schedule_options_, result_.diagnostics)};
     tell("schedule", made.process, &made.schedule);
     return made;
