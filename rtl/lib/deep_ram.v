@@ -27,6 +27,16 @@ module deep_ram #(
     output wire [WIDTH-1:0]         read_data
 );
 
+    function integer bits_for_address;  // the least number of bits that addresses this many words, at least 1
+        input integer words;
+        integer remaining;
+        begin
+            bits_for_address = 1;
+            for (remaining = (words - 1) >> 1; remaining > 0; remaining = remaining >> 1)
+                bits_for_address = bits_for_address + 1;
+        end
+    endfunction
+
     localparam BLOCK_DEPTH  = 1 << BLOCK_ADDRESS;
     localparam BLOCKS       = (DEPTH + BLOCK_DEPTH - 1) / BLOCK_DEPTH;
     localparam CHOICE_WIDTH = ADDRESS_WIDTH - BLOCK_ADDRESS;
@@ -49,6 +59,7 @@ module deep_ram #(
         for (block = 0; block < BLOCKS; block = block + 1) begin : blocks
             localparam [CHOICE_WIDTH-1:0] CHOICE = block;
             localparam WORDS = (block == BLOCKS - 1) ? DEPTH - block * BLOCK_DEPTH : BLOCK_DEPTH;
+            localparam WORD_ADDRESS = bits_for_address(WORDS);  // the last block may be small
 
             (* no_rw_check *)
             reg [WIDTH-1:0] memory [0:WORDS-1];
@@ -59,9 +70,9 @@ module deep_ram #(
 
             always @(posedge clk) begin
                 if (write_enable && write_address[ADDRESS_WIDTH-1:BLOCK_ADDRESS] == CHOICE)
-                    memory[write_address[BLOCK_ADDRESS-1:0]] <= write_data;
+                    memory[write_address[WORD_ADDRESS-1:0]] <= write_data;
                 if (read_enable)
-                    read_reg <= memory[read_address[BLOCK_ADDRESS-1:0]];
+                    read_reg <= memory[read_address[WORD_ADDRESS-1:0]];
                 if (output_enable)
                     output_reg <= read_reg;
             end
