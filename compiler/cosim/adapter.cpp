@@ -19,13 +19,15 @@ class AdapterWriter {
 
   std::string run() {
     include_sources();
-    out_ << "\nnamespace {\n"
+    // Inside, names are found before those of the user's sources.
+    out_ << "\nnamespace hlsc_cosim {\nnamespace {\n"
          << model_ << "& dut() {\n  static " << model_ << "* model = new " << model_
          << ";\n  return *model;\n}\n";
     write_clock();
     write_conversions();
     for (const AxiliteBank& bank : ports_.banks) write_bus(bank);
-    out_ << "}  // namespace\n\n";
+    write_call();
+    out_ << "}  // namespace\n}  // namespace hlsc_cosim\n\n";
     write_function();
     return out_.str();
   }
@@ -37,14 +39,14 @@ class AdapterWriter {
     out_ << "#if HLSC_TRACE\n#include \"verilated_vcd_c.h\"\n#endif\n#include \"harness.h\"\n#include "
             "\"probes.h\"\n";
     // A C header inside extern "C" must not meet C++ templates for the first time there.
-    if (top_.is_c)
+    if (top_.is_in_c_file)
       out_ << "#include <cmath>\n#include <cstdint>\n#include <cstdlib>\n#include <cstring>\n"
               "#define _Bool bool\n#define restrict __restrict\nextern \"C\" {\n";
     out_ << "#define " << top_.name << " " << top_.name << "_in_software\n";
     for (const std::string& file : options_.frontend.files)
       out_ << "#include \"" << std::filesystem::absolute(file).string() << "\"\n";
     out_ << "#undef " << top_.name << "\n";
-    if (top_.is_c) out_ << "}\n";
+    if (top_.is_in_c_file) out_ << "}\n";
   }
 
   void write_clock() {
@@ -179,10 +181,28 @@ void reset_once() {
            "(sample); })";
   }
 
-  std::string parameter_name(size_t i) const {
-    return top_.parameters[i].name.empty() ? "unnamed_" + std::to_string(i) : top_.parameters[i].name;
+  /// No local of the adapter is called so, whatever the top's parameters are called.
+  std::string parameter_name(size_t i) const { return "argument_" + std::to_string(i); }
+
+  /// One call of the top as a run of the model; arguments are the top's own parameters.
+  void write_call() {
+    out_ << "template <class Result";
+    for (size_t i = 0; i < top_.parameters.size(); ++i) out_ << ", class T" << i;
+    out_ << ">\nResult call_top(";
+    for (size_t i = 0; i < top_.parameters.size(); ++i)
+      out_ << (i ? ", " : "") << "T" << i << "& " << parameter_name(i);
+    out_ << ") {\n  reset_once();\n  static Statistics statistics(\"" << top_.name << "\", \""
+         << scheduled_latency() << "\");\n";
+    declare_streams();
+    set_scalars();
+    for (const AxiliteBank& bank : ports_.banks) write_bank(bank);
+    run_loop();
+    for (const AxiliteBank& bank : ports_.banks) read_bank(bank);
+    return_results();
+    out_ << "}\n";
   }
 
+  /// The top itself, in place of the user's.
   void write_function() {
     std::string space = top_.qualified.size() > top_.name.size()
                             ? top_.qualified.substr(0, top_.qualified.size() - top_.name.size() - 2)
@@ -195,15 +215,9 @@ void reset_once() {
       text.replace(text.find('%'), 1, parameter_name(i));
       out_ << (i ? ", " : "") << text;
     }
-    out_ << ") {\n  using namespace hlsc_cosim;\n  reset_once();\n  static Statistics statistics(\""
-         << top_.name << "\", \"" << scheduled_latency() << "\");\n";
-    declare_streams();
-    set_scalars();
-    for (const AxiliteBank& bank : ports_.banks) write_bank(bank);
-    run_loop();
-    for (const AxiliteBank& bank : ports_.banks) read_bank(bank);
-    return_results();
-    out_ << "}\n";
+    out_ << ") {\n  return hlsc_cosim::call_top<" << top_.result_text << ">(";
+    for (size_t i = 0; i < top_.parameters.size(); ++i) out_ << (i ? ", " : "") << parameter_name(i);
+    out_ << ");\n}\n";
     if (!space.empty()) out_ << "}  // namespace " << space << "\n";
   }
 
@@ -332,11 +346,15 @@ void reset_once() {
     bool has_control = ports_.has_start;
     const AxiliteBank* bank = ports_.control_bank();
     out_ << "  uint64_t first_cycle = cycle_count, idle = 0, quiet = 0, done_cycle = 0;\n  bool done = "
-         << (has_control ? "false" : "true") << ";\n";
+         << (has_control || counts_runs() ? "false" : "true") << ";\n";
+    if (counts_runs()) out_ << "  const uint64_t runs = Probes::all().runs();\n";
     start_run();
     if (bank) out_ << "  first_cycle = cycle_count - 1;  // The response came a cycle after the start.\n";
     out_ << "  // After the end, what is still on its way out comes out.\n  while (!done || quiet < "
-         << (has_control ? "16" : "4096") << ") {\n    bool moved = false, pending = false;\n";
+         << (has_control     ? "16"
+             : counts_runs() ? "1"
+                             : "4096")
+         << ") {\n    bool moved = false, pending = false;\n";
     for (size_t i = 0; i < ports_.streams.size(); ++i) drive_stream(i);
     out_ << "    settle();\n";
     if (bank)
@@ -353,6 +371,7 @@ void reset_once() {
     for (const ScalarPort& port : ports_.scalars)
       if (port.is_result) sample_result(port);
     out_ << "    edge();\n";
+    if (counts_runs()) out_ << "    done = Probes::all().runs() > runs;\n    moved = pending = !done;\n";
     if (has_control && !bank) out_ << "    if (accepted) dut().ap_start = 0;\n";
     for (size_t i = 0; i < ports_.memories.size(); ++i) answer_memory(i);
     out_ << "    quiet = moved || pending ? 0 : quiet + 1;\n    idle = moved ? 0 : idle + 1;\n    if (idle > "
@@ -364,6 +383,15 @@ void reset_once() {
     if (!ports_.banks.empty()) rest_streams();
     if (has_control) out_ << "  statistics.call(done_cycle - first_cycle);\n";
     if (!has_control) out_ << "  (void)done_cycle;\n  statistics.call(cycle_count - first_cycle - quiet);\n";
+  }
+
+  /// A top without ap_start and streams takes its inputs at the start of each run: a call is one run. Where a
+  /// host writes arguments, runs pass meanwhile.
+  bool counts_runs() const {
+    if (!ports_.tells_runs || !ports_.banks.empty() || compiled_.processes.size() != 1) return false;
+    return !LatencyModel(compiled_.processes[0].process, compiled_.processes[0].schedule)
+                .process()
+                .is_endless;
   }
 
   void tell_standstill() {
@@ -499,7 +527,7 @@ void reset_once() {
            << ".write(value);\n  }\n  " << port << ".tokens.clear();\n";
     }
     if (top_.result.leaves.empty()) return;
-    out_ << "  " << top_.result_text << " result{};\n";
+    out_ << "  Result result{};\n";
     std::vector<ScalarPort> ports = ports_.scalars;
     for (const AxiliteBank& bank : ports_.banks)
       for (const AxiliteRegister& one : bank.registers) ports.push_back(one.port);

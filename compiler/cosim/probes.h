@@ -37,6 +37,7 @@ class Probes {
   }
 
   // Called by the modules.
+  void run_ends() { ++runs_; }
   bool asked() const { return asked_; }
   void wait(const Wait& wait) { waits_.push_back(wait); }
   void end(const std::string& who, const std::string& port, const std::string& stream, bool is_reader) {
@@ -65,6 +66,9 @@ class Probes {
 
   /// Whether this run looks for depths that would do: HLSC_DEPTHS is the file to write them to.
   static const char* depths_file() { return std::getenv("HLSC_DEPTHS"); }
+
+  /// Runs that have ended, of a top without ap_done.
+  uint64_t runs() const { return runs_; }
 
   /// Asks all modules in the clock edge that `edge` makes.
   template <class Edge>
@@ -156,6 +160,7 @@ class Probes {
     return smallest;
   }
 
+  uint64_t runs_ = 0;
   bool asked_ = false;
   std::string core_;
   std::vector<Wait> waits_;
@@ -175,6 +180,7 @@ inline std::string last_name(const std::string& path) { return path.substr(path.
 
 extern "C" {
 int hlsc_asked() { return hlsc_cosim::Probes::all().asked(); }
+void hlsc_run_ends() { hlsc_cosim::Probes::all().run_ends(); }
 void hlsc_waits(const char* who, const char* what, const char* place, int kind) {
   hlsc_cosim::Probes::all().wait({hlsc_cosim::last_name(who), what, place, kind});
 }

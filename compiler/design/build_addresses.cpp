@@ -104,8 +104,8 @@ Address ProcessBuilder::decode_element(CallInst& call, const Instruction& access
   for (size_t leaf = 0; leaf < address.object->leaves.size(); ++leaf)
     if (address.object->leaves[leaf].byte_offset == offset) address.leaf = leaf;
   check_width(address.object->leaves[address.leaf], access);
-  for (unsigned i = 2; i < call.arg_size(); ++i)
-    address.subscripts.push_back(value_of(call.getArgOperand(i)));
+  for (unsigned i = 2; i < call.arg_size(); ++i) address.values.push_back(call.getArgOperand(i));
+  for (Value* subscript : address.values) address.subscripts.push_back(value_of(subscript));
   return address;
 }
 
@@ -136,13 +136,23 @@ ProcessBuilder::Place ProcessBuilder::place_of(const Address& address, const Ins
     uint64_t words = (shape.dims[d] + count - 1) / count;
     ValueId subscript = address.subscripts[d];
     bool is_block = partitions[d].kind == Partition::kBlock;
-    ValueId quotient = divided(subscript, is_block ? words : count, access);
+    std::optional<uint64_t> block;
+    if (is_block && count > 1) block = block_of(address.values[d], words);
+    ValueId quotient =
+        block ? constant_value(APInt(64, *block)) : divided(subscript, is_block ? words : count, access);
     ValueId remainder = remainder_of(subscript, is_block ? words : count, access);
     result.bank = combined(result.bank, count, is_block ? quotient : remainder, access);
     result.address = combined(result.address, words, is_block ? remainder : quotient, access);
     result.banks *= count;
   }
   return result;
+}
+
+std::optional<uint64_t> ProcessBuilder::block_of(Value* subscript, uint64_t words) {
+  ConstantRange range = evolution_.getUnsignedRange(evolution_.getSCEV(subscript));
+  uint64_t first = range.getUnsignedMin().udiv(words).getZExtValue(),
+           last = range.getUnsignedMax().udiv(words).getZExtValue();
+  return first == last ? std::optional(first) : std::nullopt;
 }
 
 ValueId ProcessBuilder::combined(ValueId outer, uint64_t size, ValueId inner, const Instruction& access) {

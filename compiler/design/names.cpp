@@ -48,7 +48,13 @@ bool is_keyword(const std::string& word) { return keywords().count(word) > 0; }
 
 NameTable::NameTable() {
   for (const std::string& word : keywords()) used_[word] = 1;
-  for (const char* signal : {"clk", "rst", "state"}) used_[signal] = 1;
+  for (const char* signal : {"clk", "rst", "state", "ap_clk", "ap_rst", "ap_rst_n", "ap_start", "ap_done",
+                             "ap_idle", "ap_ready", "ap_continue"})
+    used_[signal] = 1;
+  // Members of the class that Verilator makes of a top, whose ports are members too.
+  for (const char* member : {"eval", "eval_step", "eval_end_step", "trace", "name", "contextp", "rootp",
+                             "vlSymsp", "threads", "hierName", "modelName"})
+    used_[member] = 1;
 }
 
 std::string NameTable::unique(const std::string& wanted, const std::string& otherwise) {

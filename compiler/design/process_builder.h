@@ -46,7 +46,8 @@ struct MemoryObject {
 struct Address {
   MemoryObject* object = nullptr;
   size_t leaf = 0;
-  std::vector<ValueId> subscripts;  ///< One per dimension of the leaf, or a single linear one.
+  std::vector<ValueId> subscripts;   ///< One per dimension of the leaf, or a single linear one.
+  std::vector<llvm::Value*> values;  ///< What the subscripts are in LLVM's form; none of a linear one.
   bool is_linear = false;
 };
 
@@ -134,6 +135,9 @@ class ProcessBuilder {
   Place place_of(const Address& address, const llvm::Instruction& access);
   ValueId combined(ValueId outer, uint64_t size, ValueId inner, const llvm::Instruction& access);
   ValueId divided(ValueId value, uint64_t divisor, const llvm::Instruction& access);
+  /// The block of `words` elements that a subscript always lies in: i + 8, with i below 8, is in block 1
+  /// of 8.
+  std::optional<uint64_t> block_of(llvm::Value* subscript, uint64_t words);
   ValueId remainder_of(ValueId value, uint64_t divisor, const llvm::Instruction& access);
 
   // Loads and stores (build_accesses.cpp)

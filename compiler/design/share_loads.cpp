@@ -17,15 +17,18 @@ void widen(Operation& kept, const Operation& other) {
 }
 
 void share_in(Process& process, const Block& block, std::vector<ValueId>& stands_for) {
-  std::map<std::pair<int, ValueId>, ValueId> words;  ///< By memory and address: the load.
+  std::map<std::pair<int, ValueId>, ValueId> words;  ///< By memory and address: the load, or what was stored.
   for (ValueId id : block.operations) {
     const Operation& op = process[id];
-    if (op.kind == OpKind::kStore)
-      std::erase_if(words, [&](const auto& word) { return word.first.first == op.object; });
-    if (op.kind != OpKind::kLoad || process.memories[op.object].kind == MemoryKind::kRegisters) continue;
+    bool is_store = op.kind == OpKind::kStore;
+    if (is_store) std::erase_if(words, [&](const auto& word) { return word.first.first == op.object; });
+    if (!is_store && op.kind != OpKind::kLoad) continue;
+    if (process.memories[op.object].kind == MemoryKind::kRegisters) continue;
+    if (is_store && op.predicate == kNoValue) words[{op.object, op.operands[0]}] = op.operands[1];
+    if (is_store) continue;
     auto [word, is_new] = words.emplace(std::make_pair(op.object, op.operands[0]), id);
     if (is_new || process[word->second].type_width != op.type_width) continue;
-    widen(process[word->second], op);
+    if (process[word->second].kind == OpKind::kLoad) widen(process[word->second], op);
     stands_for[id] = word->second;
   }
 }
@@ -37,7 +40,7 @@ void share_loads(Process& process) {
   for (size_t id = 0; id < stands_for.size(); ++id) stands_for[id] = id;
   for (const Block& block : process.blocks) share_in(process, block, stands_for);
   auto replace = [&](ValueId& id) {
-    if (id != kNoValue) id = stands_for[id];
+    while (id != kNoValue && stands_for[id] != id) id = stands_for[id];
   };
   for (Operation& op : process.operations) {
     for (ValueId& operand : op.operands) replace(operand);

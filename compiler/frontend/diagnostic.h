@@ -30,6 +30,12 @@ class CompileError : public std::runtime_error {
       : std::runtime_error(sentence.find("error: ") == std::string::npos ? "error: " + sentence : sentence) {}
 };
 
+/// A DATAFLOW function whose calls cannot be processes; what() as CompileError's.
+class RegionError : public CompileError {
+ public:
+  explicit RegionError(const CompileError& reason) : CompileError(std::string(reason.what())) {}
+};
+
 /// A warning where none is accepted: its text as it is.
 class StrictWarning : public std::runtime_error {
  public:

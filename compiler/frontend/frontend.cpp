@@ -175,6 +175,7 @@ class ProgramReader : public clang::SemaConsumer, public clang::RecursiveASTVisi
     info.location = {place.getFilename(), place.getLine(), place.getColumn()};
     info.result_text = type_text(*context_, function->getReturnType(), "");
     info.is_c = function->isExternC();
+    info.is_in_c_file = !function->getASTContext().getLangOpts().CPlusPlus;
     std::string mangled = mangled_name(*mangler_, function);
     bool is_top = info.name == options_.top || info.qualified == options_.top;
     if (is_top) tops_.push_back(mangled);
@@ -254,7 +255,8 @@ std::vector<std::string> clang_arguments(const FrontendOptions& options, const s
   for (const char* fixed :
        {"-c", "-O2", "-g", "-gcolumn-info", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics",
         "-fno-discard-value-names", "-fno-vectorize", "-Wno-unknown-pragmas", "-Wno-unused-value",
-        "-Wno-everything", "-Werror=return-type", "-fwrapv", "-D__SYNTHESIS__", "-D__FLOORLINE_HLSC__"})
+        "-Wno-everything", "-Werror=return-type", "-fwrapv", "-fno-math-errno", "-D__SYNTHESIS__",
+        "-D__FLOORLINE_HLSC__"})
     arguments.push_back(fixed);
   for (const std::string& define : options.defines) arguments.push_back("-D" + define);
   arguments.push_back("-isystem" HLSC_INCLUDE_DIR);

@@ -52,9 +52,10 @@ struct FunctionInfo {
   std::string qualified;  ///< With both.
   SourceLocation location;
   std::vector<Parameter> parameters;
-  TypeLayout result;        ///< No leaves: void.
-  std::string result_text;  ///< The result's type as C++ text.
-  bool is_c = false;        ///< C linkage.
+  TypeLayout result;          ///< No leaves: void.
+  std::string result_text;    ///< The result's type as C++ text.
+  bool is_c = false;          ///< C linkage.
+  bool is_in_c_file = false;  ///< Written in C.
 };
 
 struct Program {

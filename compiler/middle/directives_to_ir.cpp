@@ -17,14 +17,14 @@ constexpr const char* kLoopTag = "hls.directive";
 const std::set<std::string> kRegionKinds = {"PIPELINE",   "UNROLL", "DATAFLOW",     "LOOP_TRIPCOUNT",
                                             "DEPENDENCE", "INLINE", "LOOP_FLATTEN", "LATENCY"};
 const std::set<std::string> kObjectKinds = {
-    "ARRAY_PARTITION", "BIND_STORAGE", "RESOURCE",  "STREAM", "DEPENDENCE",
-    "AGGREGATE",       "DISAGGREGATE", "DATA_PACK", "STABLE", "FUNCTION_INSTANTIATE"};
+    "ARRAY_PARTITION", "ARRAY_RESHAPE", "BIND_STORAGE",        "RESOURCE",
+    "STREAM",          "DEPENDENCE",    "AGGREGATE",           "DISAGGREGATE",
+    "DATA_PACK",       "STABLE",        "FUNCTION_INSTANTIATE"};
 
 /// Accepted, because they change neither results nor handshakes, but without effect.
-const std::set<std::string> kIgnoredKinds = {
-    "ALLOCATION",         "ARRAY_MAP",  "ARRAY_RESHAPE", "BIND_OP",
-    "EXPRESSION_BALANCE", "LOOP_MERGE", "OCCURRENCE",    "PERFORMANCE",
-    "PROTOCOL",           "RESET",      "SHARED",        "TOP"};
+const std::set<std::string> kIgnoredKinds = {"ALLOCATION", "ARRAY_MAP",  "BIND_OP",     "EXPRESSION_BALANCE",
+                                             "LOOP_MERGE", "OCCURRENCE", "PERFORMANCE", "PROTOCOL",
+                                             "RESET",      "SHARED",     "TOP"};
 
 struct Marker {
   CallInst* call;
@@ -123,6 +123,22 @@ void attach_to_function(Function& function, LoopInfo& loops, const Directive& di
   std::string name = "hls-" + StringRef(directive.kind).lower();
   function.addFnAttr(name, to_text(directive));
   if (asks_for_pipeline(directive)) unroll_loops(loops.getLoopsInPreorder());
+}
+
+bool is_real(const Value* value) { return value->getType()->isFloatingPointTy(); }
+
+/// Whether a loop calculates with real numbers that come from its counters alone, as one that fills a table
+/// does.
+bool counts_in_reals(const Loop& loop) {
+  bool found = false;
+  for (BasicBlock* block : loop.blocks())
+    for (Instruction& instruction : *block) {
+      bool takes_real =
+          any_of(instruction.operands(), [](const Use& use) { return is_real(use) && isa<Argument>(use); });
+      if (takes_real || (isa<LoadInst>(instruction) && is_real(&instruction))) return false;
+      found |= is_real(&instruction);
+    }
+  return found;
 }
 
 /// What is stored in a local variable that holds a pointer; null for another object.
@@ -269,6 +285,7 @@ void unroll_inlined_loops(Module& module) {
     for (Loop* loop : loops.getLoopsInPreorder()) {
       std::optional<Directive> pipeline = loop_directive(*loop, "PIPELINE");
       if (pipeline && asks_for_pipeline(*pipeline)) unroll_loops(loop->getLoopsInPreorder(), loop);
+      if (counts_in_reals(*loop)) unroll_loops(loop->getLoopsInPreorder());  // LLVM calculates the values.
     }
     std::optional<Directive> pipeline = function_directive(function, "PIPELINE");
     if (pipeline && asks_for_pipeline(*pipeline)) unroll_loops(loops.getLoopsInPreorder());
@@ -283,6 +300,8 @@ void resolve_object_directives(Module& module, DirectiveTable& table, Diagnostic
       if (!misuse.empty())
         diagnostics.warn(made.location, "pragma '" + made.directive.kind + "' has no effect: '" +
                                             marker.variable_name + "' " + misuse);
+      // Elements that Vitis puts into one word of a reshaped array stand in as many banks.
+      if (made.directive.kind == "ARRAY_RESHAPE") made.directive.kind = "ARRAY_PARTITION";
       table.objects.push_back(made);
       marker.call->eraseFromParent();
     }

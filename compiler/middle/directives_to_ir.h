@@ -53,8 +53,8 @@ struct DirectiveTable {
 /// Unknown pragmas become warnings. Runs on unoptimised IR, before inlining.
 void resolve_loop_directives(llvm::Module& module, DirectiveTable& table, Diagnostics& diagnostics);
 
-/// Loops that a call brought into a pipelined loop or function dissolve as those that stand there do. Runs after
-/// inlining.
+/// Loops that a call brought into a pipelined loop or function dissolve as those that stand there do, and so do
+/// loops that calculate real numbers of their counters, so that LLVM can. Runs after inlining.
 void unroll_inlined_loops(llvm::Module& module);
 
 /// Removes the markers with a variable. Runs after inlining, when each names the object itself.

@@ -414,13 +414,54 @@ void convert_loops(Function& function, Optimizer& optimizer) {
 
 }  // namespace
 
-MiddleResult run_middle(Program& program, const LoopChoice& keeps_apart, Diagnostics& diagnostics) {
+namespace {
+
+bool holds_stream(Type* type) {
+  if (auto* array = dyn_cast<ArrayType>(type)) return holds_stream(array->getElementType());
+  auto* structure = dyn_cast<StructType>(type);
+  if (!structure) return false;
+  return (structure->hasName() && structure->getName().starts_with("class.hls::stream")) ||
+         any_of(structure->elements(), holds_stream);
+}
+
+/// What a port without handshake gives does not change while C++ looks on, so accesses may be joined.
+void drop_volatile(Module& module, Diagnostics& diagnostics) {
+  for (Function& function : module)
+    for (Instruction& instruction : instructions(function)) {
+      if (!instruction.isVolatile() || instruction.isAtomic()) continue;
+      diagnostics.warn(nearest_location(instruction),
+                       "'volatile' has no effect: what is accessed here does not change during a run; use an "
+                       "hls::stream for values that do");
+      if (auto* load = dyn_cast<LoadInst>(&instruction)) load->setVolatile(false);
+      if (auto* store = dyn_cast<StoreInst>(&instruction)) store->setVolatile(false);
+      if (auto* copy = dyn_cast<MemIntrinsic>(&instruction))
+        copy->setVolatile(ConstantInt::getFalse(module.getContext()));
+    }
+}
+
+}  // namespace
+
+bool declares_streams(const Module& module) {
+  for (const GlobalVariable& global : module.globals())
+    if (holds_stream(global.getValueType())) return true;
+  for (const Function& function : module)
+    for (const Instruction& instruction : instructions(function))
+      if (auto* local = dyn_cast<AllocaInst>(&instruction); local && holds_stream(local->getAllocatedType()))
+        return true;
+  return false;
+}
+
+MiddleResult run_middle(Program& program, const LoopChoice& keeps_apart, bool in_sequence,
+                        Diagnostics& diagnostics) {
   Module& module = *program.module;
   MiddleResult result;
   remove_host_calls(module, diagnostics);
+  drop_volatile(module, diagnostics);
   resolve_loop_directives(module, result.directives, diagnostics);
   expand_memory_copies(module);
   lower_streams(module, program.stream_types);
+  if (in_sequence)
+    for (Function& function : module) function.removeFnAttr("hls-dataflow");
   drop_empty_regions(program, diagnostics);
   result.processes = find_processes(program);
   warn_of_inlined_latency(module, result.processes, diagnostics);

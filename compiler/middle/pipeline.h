@@ -23,8 +23,12 @@ struct MiddleResult {
 using LoopChoice = std::function<bool(const SourceLocation&)>;
 
 /// Inlines everything into the processes, optimises, unrolls as asked, flattens nests except those of
-/// `keeps_apart` (flatten.h), and if-converts the innermost loops.
-MiddleResult run_middle(Program& program, const LoopChoice& keeps_apart, Diagnostics& diagnostics);
+/// `keeps_apart` (flatten.h), and if-converts the innermost loops. `in_sequence`: DATAFLOW is left out.
+MiddleResult run_middle(Program& program, const LoopChoice& keeps_apart, bool in_sequence,
+                        Diagnostics& diagnostics);
+
+/// Whether the program has streams beside those of parameters.
+bool declares_streams(const llvm::Module& module);
 
 }  // namespace hlsc
 

@@ -82,10 +82,6 @@ Value* accessed_pointer(Instruction& instruction) {
 
 void accesses_to_primitives(Function& function) {
   for (Instruction& instruction : make_early_inc_range(instructions(function))) {
-    if (instruction.isVolatile())
-      throw CompileError(nearest_location(instruction),
-                         "'volatile' asks for an access each time, which a port without handshake cannot "
-                         "give; use an hls::stream for values that change during a run");
     IRBuilder<> builder(&instruction);
     if (auto* load = dyn_cast<LoadInst>(&instruction); load && load->getType()->isIntegerTy()) {
       CallInst* call = create_load(builder, load->getPointerOperand(), load->getType(), builder.getTrue());

@@ -30,16 +30,17 @@ using Places = std::set<std::string>;
 /// One pass through the compiler.
 class Compilation {
  public:
-  /// `apart`: loops that are not flattened.
-  Compilation(const CompileOptions& options, const Places& apart)
+  /// `apart`: loops that are not flattened. `in_sequence`: DATAFLOW functions run as they are written.
+  Compilation(const CompileOptions& options, const Places& apart, bool in_sequence)
       : options_(options),
         apart_(apart),
+        in_sequence_(in_sequence),
         program_(parse_program(options.frontend)),
         schedule_options_(schedule_options(options)) {}
 
   void run() {
     MiddleResult middle = run_middle(
-        program_, [&](const SourceLocation& place) { return apart_.count(place.text()) > 0; },
+        program_, [&](const SourceLocation& place) { return apart_.count(place.text()) > 0; }, in_sequence_,
         result_.diagnostics);
     for (const SourceLocation& place : middle.flattened) flattened_.insert(place.text());
     auto top = program_.functions.find(program_.top);
@@ -59,9 +60,10 @@ class Compilation {
       std::string name = names_.unique(program_.functions.at(function).name + (is_top ? "_core" : ""));
       add_process(build_process(program_, middle, function, name), function);
     }
-    PortModes modes = PortModes::from(middle.directives.ports[program_.top]);
-    TopModule module = is_region ? region_top(middle, modes)
-                                 : emit_single_top(result_.top, result_.processes[0].process, modes);
+    PortModes modes = PortModes::from(middle.directives.ports[program_.top], result_.diagnostics);
+    TopModule module =
+        is_region ? region_top(middle, modes)
+                  : emit_single_top(result_.top, result_.processes[0].process, modes, options_.has_probes);
     result_.interface = module.interface;
     result_.files.push_back({result_.top.name + ".v", module.text});
     for (const auto& [name, text] : module.bank_files) result_.files.push_back({name, text});
@@ -141,10 +143,18 @@ class Compilation {
     result_.processes.push_back(std::move(compiled));
   }
 
+  Region region_of(const MiddleResult& middle, const std::vector<Process>& processes) const {
+    try {
+      return build_region(program_, middle, processes);
+    } catch (const CompileError& reason) {
+      throw RegionError(reason);
+    }
+  }
+
   TopModule region_top(const MiddleResult& middle, const PortModes& modes) {
     std::vector<Process> processes;
     for (const CompiledProcess& compiled : result_.processes) processes.push_back(compiled.process);
-    Region region = build_region(program_, middle, processes);
+    Region region = region_of(middle, processes);
     for (RegionStream& stream : region.streams)
       stream.depth = std::max<int>(stream.depth, schedule_options_.target.least_fifo);
     CompiledProcess head = scheduled(region.head);
@@ -160,28 +170,52 @@ class Compilation {
 
   const CompileOptions& options_;
   Places apart_, flattened_;
+  bool in_sequence_;
   CompileResult result_;
   Program program_;
   ScheduleOptions schedule_options_;
   NameTable names_;
 };
 
+bool has_streams_between(const CompileOptions& options) {
+  Program program = parse_program(options.frontend);
+  return declares_streams(*program.module);
+}
+
 /// Nests are flattened where that costs no II: those that miss theirs are tried apart.
-CompileResult compile_best(const CompileOptions& options) {
-  Compilation flat(options, {});
+CompileResult compile_best(const CompileOptions& options, bool in_sequence) {
+  Compilation flat(options, {}, in_sequence);
   flat.run();
   const Places slow = flat.slow_nests();
   if (slow.empty()) return std::move(flat.result());
-  Compilation separate(options, slow);
+  Compilation separate(options, slow, in_sequence);
   separate.run();
   Places apart;
   for (const std::string& place : slow)
     if (separate.interval(place) < flat.interval(place)) apart.insert(place);
   if (apart.empty()) return std::move(flat.result());
   if (apart == slow) return std::move(separate.result());
-  Compilation mixed(options, apart);
+  Compilation mixed(options, apart, in_sequence);
   mixed.run();
   return std::move(mixed.result());
+}
+
+/// A DATAFLOW function whose calls cannot be processes runs them one after the other, as C++ does, with a
+/// warning that says why; unless streams lie between them, whose depth that would take nobody knows.
+CompileResult compile_any(const CompileOptions& options) {
+  try {
+    return compile_best(options, /*in_sequence=*/false);
+  } catch (const RegionError& reason) {
+    std::string text = reason.what();
+    const std::string mark = ": error: ";
+    size_t place = text.find(mark);
+    if (place == std::string::npos || has_streams_between(options)) throw;
+    CompileResult result = compile_best(options, /*in_sequence=*/true);
+    text.replace(place, mark.size(),
+                 ": warning: DATAFLOW has no effect, the calls run one after the other: ");
+    result.diagnostics.warnings.insert(result.diagnostics.warnings.begin(), text);
+    return result;
+  }
 }
 
 }  // namespace
@@ -194,7 +228,7 @@ ScheduleOptions schedule_options(const CompileOptions& options) {
 }
 
 CompileResult compile(const CompileOptions& options) {
-  CompileResult result = compile_best(options);
+  CompileResult result = compile_any(options);
   const std::vector<std::string>& warnings = result.diagnostics.warnings;
   if (options.strict && !warnings.empty()) throw StrictWarning(warnings[0]);
   return result;

@@ -44,6 +44,11 @@ std::string fifo_probe(const std::string& name, int depth) {
          " <= 0;\n        end\n        if (hlsc_asked() != 0) " + told + "    end\n    final " + told;
 }
 
+std::string run_probe(const std::string& done) {
+  return "    import \"DPI-C\" function void hlsc_run_ends();\n    always @(posedge ap_clk) if (" + done +
+         ") hlsc_run_ends();\n";
+}
+
 std::string end_probe(const std::string& instance, const std::string& port, const std::string& stream,
                       bool is_reader) {
   return "    always @(posedge ap_clk) if (hlsc_asked() != 0) hlsc_end(" + quoted(instance) + ", " +

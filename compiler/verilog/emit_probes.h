@@ -10,6 +10,9 @@ namespace hlsc {
 /// The functions; once in every module with probes.
 std::string probe_imports();
 
+/// That a run of a top without ap_done ends with this clock edge.
+std::string run_probe(const std::string& done);
+
 /// How many words the FIFO of stream `name` holds, and the most it has held.
 std::string fifo_probe(const std::string& name, int depth);
 

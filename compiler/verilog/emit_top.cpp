@@ -28,12 +28,10 @@ std::string mode_of(const Directive& directive) {
 
 /// Refuses modes that do not exist or that no port is built for.
 void check_mode(const std::string& mode, const SourceLocation& where) {
-  static const std::map<std::string, std::string> kNotBuilt = {
-      {"m_axi", "hls::stream with axis, or an array with ap_memory"},
-      {"ap_hs", "hls::stream with ap_fifo or axis"},
-      {"ap_ack", "hls::stream with ap_fifo or axis"},
-      {"ap_ovld", "ap_vld"},
-      {"ap_bus", "an array with ap_memory"}};
+  static const std::map<std::string, std::string> kNotBuilt = {{"ap_hs", "hls::stream with ap_fifo or axis"},
+                                                               {"ap_ack", "hls::stream with ap_fifo or axis"},
+                                                               {"ap_ovld", "ap_vld"},
+                                                               {"ap_bus", "an array with ap_memory"}};
   if (auto refused = kNotBuilt.find(mode); refused != kNotBuilt.end())
     throw CompileError(where, "INTERFACE mode '" + mode + "' is not built; use " + refused->second);
   if (mode.empty() || kModes.count(mode)) return;
@@ -44,9 +42,17 @@ void check_mode(const std::string& mode, const SourceLocation& where) {
 
 }  // namespace
 
-PortModes PortModes::from(const std::vector<PortDirective>& directives) {
+PortModes PortModes::from(const std::vector<PortDirective>& directives, Diagnostics& diagnostics) {
   PortModes modes;
+  std::set<std::string> masters;
+  for (const PortDirective& entry : directives)
+    if (mode_of(entry.directive) == "m_axi") {
+      masters.insert(entry.port);
+      diagnostics.warn(entry.location, "INTERFACE mode 'm_axi' is not built: '" + entry.port +
+                                           "' has the ports of ap_memory in place of a bus master");
+    }
   for (const PortDirective& entry : directives) {
+    if (masters.count(entry.port)) continue;  // Its s_axilite is the offset on the bus.
     std::string mode = mode_of(entry.directive);
     check_mode(mode, entry.location);
     std::map<std::string, std::string>& merged =
@@ -82,7 +88,7 @@ constexpr unsigned kRegisteredScalars = 256;
 
 class TopWriter {
  public:
-  TopWriter(const FunctionInfo& top, const PortModes& modes, bool has_probes = false)
+  TopWriter(const FunctionInfo& top, const PortModes& modes, bool has_probes)
       : top_(top), modes_(modes), has_probes_(has_probes) {
     interface_.module = top.name;
     interface_.clock = "ap_clk";
@@ -114,12 +120,16 @@ class TopWriter {
     add_memories(process, {});
     if (!interface_.has_start) body_ << "    wire ap_start = 1'b1;\n";
     if (!interface_.has_continue) body_ << "    wire ap_continue = 1'b1;\n";
+    bool tells = has_probes_ && !interface_.has_start && process.streams.empty();
+    if (tells) body_ << "    wire core_done;\n" << run_probe("core_done");
+    interface_.tells_runs = tells;
     body_ << "\n    " << process.name
           << " core (\n        .clk(ap_clk),\n        .rst(rst),\n        .ap_start(ap_start),\n        "
              ".ap_continue(ap_continue),\n";
     body_ << (interface_.has_start
                   ? "        .ap_done(ap_done),\n        .ap_idle(ap_idle),\n        .ap_ready(ap_ready)"
-                  : "        .ap_done(),\n        .ap_idle(),\n        .ap_ready()");
+                  : "        .ap_done(" + std::string(tells ? "core_done" : "") +
+                        "),\n        .ap_idle(),\n        .ap_ready()");
     for (const std::string& name : ports_of(process)) body_ << ",\n        ." << name << "(" << name << ")";
     body_ << "\n    );\n";
     return finished();
@@ -832,8 +842,9 @@ class TopWriter {
 
 }  // namespace
 
-TopModule emit_single_top(const FunctionInfo& top, const Process& process, const PortModes& modes) {
-  return TopWriter(top, modes).single(process);
+TopModule emit_single_top(const FunctionInfo& top, const Process& process, const PortModes& modes,
+                          bool has_probes) {
+  return TopWriter(top, modes, has_probes).single(process);
 }
 
 TopModule emit_dataflow_top(const FunctionInfo& top, const Region& region,

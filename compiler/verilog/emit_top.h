@@ -23,15 +23,17 @@ struct TopModule {
 struct PortModes {
   std::map<std::string, Directive> by_port;  ///< Parameter name or "return".
 
-  static PortModes from(const std::vector<PortDirective>& directives);
+  /// Warns of m_axi, in whose place there are the ports of a memory.
+  static PortModes from(const std::vector<PortDirective>& directives, Diagnostics& diagnostics);
   /// "axis", "ap_fifo", "ap_none", "ap_vld", "ap_memory", "ap_ctrl_hs", ...; empty when not given.
   std::string mode(const std::string& port) const;
   /// The bundle of a port with s_axilite, which may have another mode beside; empty for the others.
   std::string bank(const std::string& port) const;
 };
 
-/// A top that is one process: the process with other port names.
-TopModule emit_single_top(const FunctionInfo& top, const Process& process, const PortModes& modes);
+/// A top that is one process: the process with other port names. `has_probes` as in emit_process.
+TopModule emit_single_top(const FunctionInfo& top, const Process& process, const PortModes& modes,
+                          bool has_probes);
 
 /// A dataflow region. A start of the region puts the scalars of the run into a FIFO before each instance; an
 /// instance runs when its FIFO holds a start and its streams allow, so the first may be runs ahead of the

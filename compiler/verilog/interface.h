@@ -70,6 +70,7 @@ struct TopInterface {
   bool reset_is_low = false;
   bool has_start = true;      ///< ap_start, ap_done, ap_idle, ap_ready.
   bool has_continue = false;  ///< ap_continue.
+  bool tells_runs = false;    ///< Without ap_start and streams: a probe tells the end of each run.
   std::vector<InterfaceStream> streams;
   std::vector<InterfaceMemory> memories;
   std::vector<ScalarPort> scalars;

@@ -12,7 +12,6 @@ int pragma_ignored_kinds(const int a[16], int b) {
 #pragma HLS RESET variable = state
 #pragma HLS SHARED variable = state
   int local[16];
-#pragma HLS ARRAY_RESHAPE variable = local cyclic factor = 2
 #pragma HLS ARRAY_MAP variable = local instance = memory horizontal
   for (int i = 0; i < 16; ++i) {
 #pragma HLS LOOP_FLATTEN
@@ -34,9 +33,8 @@ int pragma_ignored_kinds(const int a[16], int b) {
 // warning: 9:9: pragma 'EXPRESSION_BALANCE' has no effect here; results are the same without it
 // warning: 12:9: pragma 'RESET' has no effect here; results are the same without it
 // warning: 13:9: pragma 'SHARED' has no effect here; results are the same without it
-// warning: 15:9: pragma 'ARRAY_RESHAPE' has no effect here; results are the same without it
-// warning: 16:9: pragma 'ARRAY_MAP' has no effect here; results are the same without it
-// warning: 19:9: pragma 'OCCURRENCE' has no effect here; results are the same without it
-// warning: 23:9: pragma 'BIND_OP' has no effect here; results are the same without it
-// warning: 25:9: pragma 'PROTOCOL' has no effect here; results are the same without it
-// warning: 17:3: the loop is not flattened: there is no loop around it
+// warning: 15:9: pragma 'ARRAY_MAP' has no effect here; results are the same without it
+// warning: 18:9: pragma 'OCCURRENCE' has no effect here; results are the same without it
+// warning: 22:9: pragma 'BIND_OP' has no effect here; results are the same without it
+// warning: 24:9: pragma 'PROTOCOL' has no effect here; results are the same without it
+// warning: 16:3: the loop is not flattened: there is no loop around it

@@ -1,3 +1,5 @@
+// A DATAFLOW function whose calls cannot be processes.
+// top: dataflow_loop_carried
 static void first(const int a[8], int b[8]) {
   for (int i = 0; i < 8; ++i) b[i] = a[i] + 1;
 }
@@ -14,4 +16,4 @@ void dataflow_loop_carried(const int a[8], int c[8], int d[8]) {
   second(b, c);
   third(b, d);
 }
-// error: 15:3: array 'b' has two readers; give each pair of processes an array of its own
+// warning: 17:3: DATAFLOW has no effect, the calls run one after the other: array 'b' has two readers; give each pair of processes an array of its own
