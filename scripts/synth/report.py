@@ -47,9 +47,11 @@ def source_of(name, sources):
 
 
 def critical_path(routed, files):
-    """The slowest path of a nextpnr report, from where it starts to where it ends: [{ns, at, source}]; `at` is the name in the
-    Verilog, `source` its C++ line or ''. ns: time from the clock edge until the signal has left `at`."""
-    slowest = max(routed["critical_paths"], key=lambda path: sum(step["delay"] for step in path["path"]))
+    """The slowest path of a nextpnr report from register to register (not those of the shell's pins), from where it starts to where it
+    ends: [{ns, at, source}]; `at` is the name in the Verilog, `source` its C++ line or ''. ns: time from the clock edge until the signal
+    has left `at`."""
+    between_registers = [path for path in routed["critical_paths"] if "<async>" not in (path["from"], path["to"])]
+    slowest = max(between_registers, key=lambda path: sum(step["delay"] for step in path["path"]))
     sources = net_sources(files)
     steps = []
     elapsed = 0.0

@@ -27,7 +27,9 @@ class Report(unittest.TestCase):
             path = [{"delay": 0.5, "from": {"cell": "design.core.polar.sum_7_s1_TRELLIS_FF_Q_4"}},
                     {"delay": 1.0, "from": {"cell": "design.core.polar.sum_7_s1_TRELLIS_FF_Q_4"}},
                     {"delay": 2.0, "from": {"cell": "design.core.stall_LUT4_A_Z"}}]
-            steps = report.critical_path({"critical_paths": [{"path": path[:1]}, {"path": path}]}, [verilog])
+            steps = report.critical_path({"critical_paths": [
+                {"from": "posedge clk", "to": "posedge clk", "path": path[:1]}, {"from": "posedge clk", "to": "posedge clk", "path": path},
+                {"from": "<async>", "to": "posedge clk", "path": path + path}]}, [verilog])
         self.assertEqual(steps, [{"at": "design.core.polar.sum_7_s1", "source": "polar.h:101", "ns": 1.5},
                                  {"at": "design.core.stall", "source": "", "ns": 3.5}])
 
