@@ -51,13 +51,17 @@ XILINX_LUTS = "; ".join([
     "clean", "techmap -map +/xilinx/ff_map.v", "xilinx_srl -fixed -minlen 3",
     "techmap -map +/xilinx/lut_map.v -map +/xilinx/cells_map.v -D LUT_WIDTH=6", "xilinx_dffopt", "opt_lut_ins -tech xilinx"])
 
-# Mapping for ECP5: that of synth_ecp5 -abc9 with two differences. A wire counts 0.8 ns, as nextpnr routes it on average, beside 0.24 ns of a
-# LUT; Yosys's own 0.3 ns take long chains of LUTs for fast. Enables and resets that fewer than six flip-flops share are made in the LUTs
-# before them: as pins they cost a LUT and a wire more. The stages around it are those of synth_ecp5.
+# Mapping for ECP5: that of synth_ecp5 -abc9 with four differences.
+# Short RAMs lie in LUTs, beside the logic they belong to: the frame ring takes most block RAMs; those that are left stand anywhere, 4 ns away.
+# A wire counts 0.8 ns, as nextpnr routes it on average, beside 0.24 ns of a LUT; Yosys's own 0.3 ns take long chains of LUTs for fast.
+# LUTs are chosen for least depth everywhere (-F 0 -A 0: no rounds that save LUTs): the slack that ABC sees is not what is left after routing.
+# Enables and resets that fewer than six flip-flops share are made in the LUTs before them: as pins they cost a LUT and a wire more.
 ECP5_FLIP_FLOPS = " ".join(f"-cell {cell}" for cell in ("$_DFF_?_ 01", "$_DFF_?P?_ r", "$_SDFF_?P?_ r", "$_DFFE_??_ 01", "$_DFFE_?P??_ r",
                                                        "$_SDFFE_?P??_ r"))
+ECP5_SHORT_RAMS = ('setattr -set ram_style "distributed" t:$mem_v2 r:SIZE<=64 %i t:$mem_v2 r:SIZE<=256 %i r:WIDTH<=36 %i %u r:WR_PORTS>=1 %i '
+                   'a:ram_style %d')
 ECP5_ENABLES = f"opt_clean; dfflegalize -mince 6 -minsrst 6 {ECP5_FLIP_FLOPS}"
-ECP5_LUTS = "techmap -map +/ecp5/latches_map.v; abc9 -W 800; clean"
+ECP5_LUTS = "techmap -map +/ecp5/latches_map.v; abc9 -W 800 -script +&scorr;&sweep;&dc2;&dch,-f;&ps;&if,{C},{W},{D},{R},-F,0,-A,0;&mfs; clean"
 
 # What one cell costs: lut, ff, bram (of 36 Kbit on Xilinx, 18 Kbit on ECP5), dsp. Cells that are not listed cost nothing of these.
 Cost = collections.namedtuple("Cost", "lut ff bram dsp")
@@ -156,8 +160,8 @@ class Design:
 
     def ecp5(self, noflatten):
         command = f"synth_ecp5 -abc9 -top {self.top}{noflatten}"
-        return (f"{command} -run begin:map_ffs; {ECP5_ENABLES}; {command} -run map_ffs:map_luts; {ECP5_LUTS}; "
-                f"{command} -run map_cells:")
+        return (f"{command} -run begin:map_ram; {ECP5_SHORT_RAMS}; {command} -run map_ram:map_ffs; {ECP5_ENABLES}; {command} -run map_ffs:map_luts; "
+                f"{ECP5_LUTS}; {command} -run map_cells:")
 
 
 def entries():
