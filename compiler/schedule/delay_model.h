@@ -25,7 +25,7 @@ struct Target {
   bool adds_products;    ///< A multiplier block also adds another's product; else wide products are split.
   unsigned block_words;  ///< A RAM of more words is a deep_ram (rtl/lib); 0: none is.
   int least_fifo;        ///< Words of the smallest FIFO; that of one word lets m_ready through to s_ready.
-  double reach;          ///< From a register to the far blocks of a deep_ram, ns.
+  double reach;          ///< Between a register and the far blocks of a deep_ram, ns.
 };
 
 /// xc6v (Virtex-6), xc7 (7-series) or ecp5; throws CompileError for another name.

@@ -96,7 +96,8 @@ class BlockScheduler {
         node.latency = process_.memories[op.object].load_latency;
         node.delay = 0;
         node.output_delay =
-            is_deep(op) ? options_.target.registers + 2 * options_.target.logic : options_.target.memory;
+            is_deep(op) ? options_.target.registers + options_.target.reach + 2 * options_.target.logic
+                        : options_.target.memory;
       }
       if (op.is_memory_access() && is_deep(op)) node.tail = options_.target.reach;
       if (op.is_stream_access()) node.tail = options_.target.stall;
