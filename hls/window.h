@@ -23,16 +23,17 @@ struct WindowWalk {
 
   Column u;
   Column last_column;
-  ap_uint<BitWidth<MAX_HEIGHT>::value> rows_left;  ///< From the one at hand on.
-  ap_uint<2> rows_above;                           ///< The one at hand; 2: two or more.
-  bool takes;                                      ///< A pixel comes in.
+  /// With the one at hand, negative modulo 2^bits: a counter that goes up is a carry chain and nothing else.
+  ap_int<BitWidth<MAX_HEIGHT>::value> rows_left;
+  ap_uint<2> rows_above;  ///< The one at hand; 2: two or more.
+  bool takes;             ///< A pixel comes in.
   bool flushes_row;
   bool flushes_corner;
 
   WindowWalk(Size width, Size height)
       : u(0),
         last_column(width - 1),
-        rows_left(height),
+        rows_left(-height),
         rows_above(0),
         takes(true),
         flushes_row(false),
@@ -43,13 +44,13 @@ struct WindowWalk {
   void advance(bool passes) {
 #pragma HLS INLINE
     const bool row_end = u == last_column;
-    const bool rows_end = row_end && rows_left == 1;
+    const bool rows_end = row_end && rows_left == -1;
     flushes_corner = row_end && flushes_row;
     flushes_row = row_end ? rows_end && takes && !passes : flushes_row;
     takes = takes && !rows_end;
     u = row_end ? Column(0) : Column(u + 1);
     if (row_end) {
-      rows_left = rows_left - 1;
+      rows_left = rows_left + 1;
       rows_above = rows_above == 0 ? 1 : 2;
     }
   }

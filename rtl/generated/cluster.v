@@ -49,8 +49,8 @@ module cluster (
     reg [7:0] first_line;
     reg [7:0] last_line;
     reg [7:0] next;
-    reg [8:0] lines;
     reg [8:0] line_2;
+    reg [8:0] lines;
     reg [34:0] next_range;
     reg [2:0] for_10_active;  // stages at work
     reg [34:0] next_range_3;
@@ -318,8 +318,8 @@ module cluster (
         if (for_10_active[2] & for_10_ce) first_line <= first_line_2;
         if (for_10_active[1] & for_10_ce) last_line <= last_line_2;
         if (for_10_active[2] & for_10_ce) next <= next_2;
-        if (for_10_active[2] & for_10_ce) lines <= lines_2;
         if (for_10_active[0] & for_10_ce) line_2 <= sum_5;
+        if (for_10_active[2] & for_10_ce) lines <= lines_2;
         if (for_10_active[2] & for_10_ce) next_range <= next_range_2;
         case (state)
             S_IDLE: if (ap_start) begin
@@ -403,8 +403,8 @@ module cluster (
             first_line <= 8'd0;
             last_line <= 8'd0;
             next <= 8'd0;
-            lines <= 9'd0;
             line_2 <= 9'd0;
+            lines <= 9'd0;
             next_range <= 35'h7FFFFFFFF;
         end
         if (for_10_active[2] & for_10_ce & ~test_10_s2) begin
