@@ -118,9 +118,9 @@ inline Logarithm logarithm(ap_uint<BITS> x) {
 const int LIMB_BITS = 17;  ///< A product of two limbs is one DSP48E1.
 typedef ap_uint<LIMB_BITS> Limb;
 
-/// Six limbs and zeros: those above them, and as indices wrap, those below.
-struct PaddedLimbs {
-  Limb limb[16];
+/// Six limbs; two more, so that every index of three bits is one.
+struct SixLimbs {
+  Limb limb[8];
 };
 
 /// Steps through the partial products of a long multiplication whose first factor has three limbs, column by
@@ -142,9 +142,10 @@ struct LongMultiplication {
   }
 
   /// One partial product of a second factor of six limbs.
-  ap_uint<2 * LIMB_BITS> product(const Limb* x, const PaddedLimbs& y) const {
+  ap_uint<2 * LIMB_BITS> product(const Limb* x, const SixLimbs& y) const {
 #pragma HLS INLINE
-    return x[term] * y.limb[ap_uint<4>(column - term)];
+    const ap_int<5> limb = column - term;
+    return (limb >= 0 && limb < 6 ? x[term] : Limb(0)) * y.limb[ap_uint<3>(limb)];
   }
 
   void advance() {
@@ -163,7 +164,7 @@ inline void split(ap_uint<BITS> value, Limb* limbs) {
   limbs[2] = extended.range(3 * LIMB_BITS - 1, 2 * LIMB_BITS);
 }
 
-inline void square(const Limb* value, PaddedLimbs& result) {
+inline void square(const Limb* value, SixLimbs& result) {
 #pragma HLS INLINE
   ap_uint<2 * LIMB_BITS + 2> sum = 0;
 SQUARE:
@@ -178,7 +179,7 @@ SQUARE:
 
 /// Whether fraction a exceeds fraction b: whether the difference of the cross products is positive. Its limbs
 /// come lowest first; what is left when they are gone is 0 or -1, its sign.
-inline bool greater(const PaddedLimbs& a_numerator, const Limb* a_denominator, const PaddedLimbs& b_numerator,
+inline bool greater(const SixLimbs& a_numerator, const Limb* a_denominator, const SixLimbs& b_numerator,
                     const Limb* b_denominator) {
 #pragma HLS INLINE
   ap_int<2 * LIMB_BITS + 3> difference = 0;
@@ -201,9 +202,8 @@ template <typename Widths>
 inline Pixel best_contender(const Contender<Widths>* contenders, ap_uint<9> size,
                             typename Widths::Count total) {
 #pragma HLS INLINE
-  // The fraction d^2 / (q (N - q)) of a contender and of the best one so far, in limbs, lowest first. Static,
-  // for the zeros around the limbs.
-  static PaddedLimbs numerator, best_numerator;
+  // The fraction d^2 / (q (N - q)) of a contender and of the best one so far, in limbs, lowest first.
+  SixLimbs numerator, best_numerator;
   Limb denominator[3], best_denominator[3];
   Pixel best_level = 0;
 CONTENDERS:

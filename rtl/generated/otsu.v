@@ -2,8 +2,8 @@
 //   loop otsu.h:250:5: loop for_3, II = 1, 1 stage
 //   loop otsu.h:264:3: loop for_4, II = 1, 2 stages
 //   loop otsu.h:301:3: loop cond, II = 1, 8 stages
-//   loop otsu.h:170:3: loop for_9, II = 1, 2 stages
-//   loop otsu.h:187:3: loop for_11, II = 1, 3 stages
+//   loop otsu.h:171:3: loop for_9, II = 1, 2 stages
+//   loop otsu.h:188:3: loop for_11, II = 1, 3 stages
 //   loop otsu.h:220:7: loop for_13, II = 1, 2 stages
 
 `default_nettype none
@@ -40,7 +40,7 @@ module otsu (
     localparam [4:0] S_FOR_8_1 = 5'd8;
     localparam [4:0] S_FOR_8_2 = 5'd9;
     localparam [4:0] S_FOR_9 = 5'd10;
-    localparam [4:0] S_ZN9FLOORLINE9OTSU_SCAN6SQUAREEPK7AP_UINTILI17EERNS0_11PADDEDLIMBSE = 5'd11;
+    localparam [4:0] S_ZN9FLOORLINE9OTSU_SCAN6SQUAREEPK7AP_UINTILI17EERNS0_8SIXLIMBSE = 5'd11;
     localparam [4:0] S_FOR_11 = 5'd12;
     localparam [4:0] S_FOR_12 = 5'd13;
     localparam [4:0] S_FOR_13 = 5'd14;
@@ -83,7 +83,7 @@ module otsu (
     reg [2:0] limb;
     reg [1:0] for_13_active;  // stages at work
     reg [7:0] best_level_2;
-    reg [7:0] value_82;
+    reg [7:0] value_83;
     reg [7:0] threshold;
     reg cleared;
     wire [18:0] histogram_q;
@@ -152,14 +152,15 @@ module otsu (
     reg test_23_s1;
     reg test_24_s1;
     reg [1:0] at_11_s1;
-    reg test_26_s2;
-    reg [34:0] value_79_s2;
-    reg test_27_s1;
+    reg test_26_s1;
     reg test_27_s2;
-    reg test_29_s1;
-    reg test_29_s2;
+    reg [34:0] value_79_s2;
+    reg test_28_s1;
+    reg test_28_s2;
+    reg test_30_s1;
+    reg test_30_s2;
     reg [2:0] limb_s1;
-    reg test_32_s1;
+    reg test_33_s1;
     reg [7:0] contenders_3_store_0_s2;
     reg [7:0] contenders_3_store_0_s3;
     reg [18:0] contenders_3_store_2_s3;
@@ -294,7 +295,7 @@ module otsu (
     wire [9:0] sum_9 = {1'd0, step} + 10'd1;  // otsu.h:301
     wire test_19 = sum_9[9];  // otsu.h:301
 
-    // otsu.h:207:3: for_6
+    // otsu.h:206:3: for_6
     wire test_20 = contender_count_2_q == 9'd0;  // otsu.h:210
 
     // otsu.h:212:52: for_8
@@ -308,20 +309,20 @@ module otsu (
     wire [18:0] contenders_3_data_2_above = contenders_0_data_element[70:52];  // otsu.h:212
     wire [18:0] contenders_3_data_2_part = contenders_3_data_2_above;  // otsu.h:212
     wire [18:0] contenders_3_data = contenders_3_data_2_part;  // otsu.h:212
-    wire [16:0] value_41 = contenders_2_data[16:0];  // otsu.h:161
-    wire [16:0] shifted_15 = contenders_2_data[33:17];  // otsu.h:162
-    wire [9:0] shifted_16 = contenders_2_data[43:34];  // otsu.h:163
+    wire [16:0] value_41 = contenders_2_data[16:0];  // otsu.h:162
+    wire [16:0] shifted_15 = contenders_2_data[33:17];  // otsu.h:163
+    wire [9:0] shifted_16 = contenders_2_data[43:34];  // otsu.h:164
     wire [19:0] difference_4 = {1'd0, sum_2_q} - {1'd0, contenders_3_data};  // otsu.h:215
     wire [19:0] value_47 = difference_4;  // otsu.h:215
     wire [35:0] value_48 = $signed({1'd0, contenders_3_data_q}) * $signed(value_47_q);  // otsu.h:215
-    wire [16:0] value_49 = value_48[16:0];  // otsu.h:161
-    wire [16:0] shifted_17 = value_48[33:17];  // otsu.h:162
-    wire [1:0] shifted_18 = value_48[35:34];  // otsu.h:163
+    wire [16:0] value_49 = value_48[16:0];  // otsu.h:162
+    wire [16:0] shifted_17 = value_48[33:17];  // otsu.h:163
+    wire [1:0] shifted_18 = value_48[35:34];  // otsu.h:164
 
-    // otsu.h:170:3: loop for_9, II = 1, 2 stages
+    // otsu.h:171:3: loop for_9, II = 1, 2 stages
     wire test_21 = at_8_s1 == 2'd0;  // otsu.h:134
-    wire [18:0] shifted_19 = sum_10[35:17];  // otsu.h:173
-    wire [35:0] carried = test_21 ? {17'd0, shifted_19} : sum_10;  // otsu.h:173
+    wire [18:0] shifted_19 = sum_10[35:17];  // otsu.h:174
+    wire [35:0] carried = test_21 ? {17'd0, shifted_19} : sum_10;  // otsu.h:174
     wire [3:0] difference_5 = {1'd0, at_9} - {2'd0, at_8};  // otsu.h:140
     wire test_22 = {{1{difference_5[3]}}, difference_5} < 5'd3;  // otsu.h:141
     wire [1:0] value_57 = difference_5[1:0];  // otsu.h:141
@@ -329,56 +330,60 @@ module otsu (
     wire [16:0] deviation_3_data_2 = deviation_3[at_8_s1];  // otsu.h:141
     wire [16:0] chosen_13 = test_22_s1 ? deviation_3_data : 17'd0;  // otsu.h:141
     wire [33:0] product_4 = chosen_13 * deviation_3_data_2;  // otsu.h:141
-    wire [35:0] sum_11 = carried + {2'd0, product_4};  // otsu.h:174
+    wire [35:0] sum_11 = carried + {2'd0, product_4};  // otsu.h:175
     wire test_23 = at_8 == 2'd2;  // otsu.h:135
-    wire [16:0] value_63 = sum_11[16:0];  // otsu.h:175
-    wire [2:0] at_10 = at_9 + {2'd0, test_23};  // otsu.h:175
-    wire [1:0] sum_12 = at_8 + 2'd1;  // otsu.h:152
-    wire [1:0] extract_6 = test_23 ? 2'd0 : sum_12;  // otsu.h:170
-    wire test_24 = at_10 > 3'd5;  // otsu.h:170
+    wire [16:0] value_63 = sum_11[16:0];  // otsu.h:176
+    wire [2:0] at_10 = at_9 + {2'd0, test_23};  // otsu.h:176
+    wire [1:0] sum_12 = at_8 + 2'd1;  // otsu.h:153
+    wire [1:0] extract_6 = test_23 ? 2'd0 : sum_12;  // otsu.h:171
+    wire test_24 = at_10 > 3'd5;  // otsu.h:171
 
-    // otsu.h:217:11: ZN9floorline9otsu_scan6squareEPK7ap_uintILi17EERNS0_11PaddedLimbsE
+    // otsu.h:217:11: ZN9floorline9otsu_scan6squareEPK7ap_uintILi17EERNS0_8SixLimbsE
     wire test_25 = i == 9'd0;  // otsu.h:217
 
-    // otsu.h:187:3: loop for_11, II = 1, 3 stages
-    wire [3:0] difference_7 = at_12 - {2'd0, at_11};  // otsu.h:147
-    wire [16:0] best_denominator_data = best_denominator[at_11_s1];  // otsu.h:147
-    wire [16:0] numerator_data = numerator_q;  // otsu.h:147
-    wire [33:0] product_5 = best_denominator_data * numerator_data;  // otsu.h:147
-    wire [16:0] denominator_data = denominator[at_11_s1];  // otsu.h:147
-    wire [16:0] best_numerator_data = best_numerator_q;  // otsu.h:147
-    wire [33:0] product_6 = denominator_data * best_numerator_data;  // otsu.h:147
-    wire [34:0] term = {1'd0, product_5} - {1'd0, product_6};  // otsu.h:191
-    wire test_26 = at_11_s1 == 2'd0;  // otsu.h:134
-    wire [19:0] shifted_20 = difference_6[36:17];  // otsu.h:192
-    wire [36:0] value_77 = {{17{shifted_20[19]}}, shifted_20};  // otsu.h:192
-    wire [36:0] carried_2 = test_26_s2 ? value_77 : difference_6;  // otsu.h:192
-    wire [34:0] value_79 = term;  // otsu.h:193
-    wire [36:0] sum_13 = carried_2 + {{2{value_79_s2[34]}}, value_79_s2};  // otsu.h:193
-    wire test_27 = at_11 == 2'd2;  // otsu.h:135
-    wire [16:0] both_30 = sum_13[16:0];  // otsu.h:194
-    wire test_28 = both_30 != 17'd0;  // otsu.h:194
-    wire both_31 = test_27_s2 & test_28;  // otsu.h:194
-    wire differs_5 = both_31 ? 1'd1 : differs_4;  // otsu.h:194
-    wire [3:0] at_13 = at_12 + {3'd0, test_27};  // otsu.h:151
-    wire [1:0] sum_14 = at_11 + 2'd1;  // otsu.h:152
-    wire [1:0] extract_7 = test_27 ? 2'd0 : sum_14;  // otsu.h:187
-    wire test_29 = at_13 < 4'd9;  // otsu.h:187
+    // otsu.h:188:3: loop for_11, II = 1, 3 stages
+    wire [4:0] difference_7 = {1'd0, at_12} - {3'd0, at_11};  // otsu.h:147
+    wire test_26 = difference_7 < 5'd6;  // otsu.h:148
+    wire [16:0] best_denominator_data = best_denominator[at_11_s1];  // otsu.h:148
+    wire [2:0] both_27 = difference_7[2:0];  // otsu.h:148
+    wire [16:0] chosen_14 = test_26_s1 ? best_denominator_data : 17'd0;  // otsu.h:148
+    wire [16:0] numerator_data = numerator_q;  // otsu.h:148
+    wire [33:0] product_5 = chosen_14 * numerator_data;  // otsu.h:148
+    wire [16:0] denominator_data = denominator[at_11_s1];  // otsu.h:148
+    wire [16:0] chosen_15 = test_26_s1 ? denominator_data : 17'd0;  // otsu.h:148
+    wire [16:0] best_numerator_data = best_numerator_q;  // otsu.h:148
+    wire [33:0] product_6 = chosen_15 * best_numerator_data;  // otsu.h:148
+    wire [34:0] difference_8 = {1'd0, product_5} - {1'd0, product_6};  // otsu.h:192
+    wire test_27 = at_11_s1 == 2'd0;  // otsu.h:134
+    wire [19:0] shifted_20 = difference_6[36:17];  // otsu.h:193
+    wire [36:0] value_77 = {{17{shifted_20[19]}}, shifted_20};  // otsu.h:193
+    wire [36:0] carried_2 = test_27_s2 ? value_77 : difference_6;  // otsu.h:193
+    wire [34:0] value_79 = difference_8;  // otsu.h:194
+    wire [36:0] sum_13 = carried_2 + {{2{value_79_s2[34]}}, value_79_s2};  // otsu.h:194
+    wire test_28 = at_11 == 2'd2;  // otsu.h:135
+    wire [16:0] both_30 = sum_13[16:0];  // otsu.h:195
+    wire test_29 = both_30 != 17'd0;  // otsu.h:195
+    wire both_31 = test_28_s2 & test_29;  // otsu.h:195
+    wire differs_5 = both_31 ? 1'd1 : differs_4;  // otsu.h:195
+    wire [3:0] at_13 = at_12 + {3'd0, test_28};  // otsu.h:152
+    wire [1:0] sum_14 = at_11 + 2'd1;  // otsu.h:153
+    wire [1:0] extract_9 = test_28 ? 2'd0 : sum_14;  // otsu.h:188
+    wire test_30 = at_13 > 4'd8;  // otsu.h:188
 
-    // otsu.h:196:10: for_12
-    wire test_30 = ~sum_13_q[36];  // otsu.h:196
-    wire both_33 = differs_5_q & test_30;  // otsu.h:196
+    // otsu.h:197:10: for_12
+    wire test_31 = ~sum_13_q[36];  // otsu.h:197
+    wire both_33 = differs_5_q & test_31;  // otsu.h:197
 
     // otsu.h:220:7: loop for_13, II = 1, 2 stages
     wire [16:0] numerator_data_2 = numerator_q;  // otsu.h:222
-    wire test_31 = limb < 3'd3;  // otsu.h:223
+    wire test_32 = limb < 3'd3;  // otsu.h:223
     wire [16:0] denominator_data_2 = denominator[limb[1:0]];  // otsu.h:223
     wire [2:0] sum_15 = limb + 3'd1;  // otsu.h:220
-    wire test_32 = limb > 3'd4;  // otsu.h:220
+    wire test_33 = limb > 3'd4;  // otsu.h:220
 
     // otsu.h: if_6
     wire [8:0] sum_16 = i + 9'd1;  // otsu.h:210
-    wire test_33 = sum_16 < contender_count_2_q;  // otsu.h:210
+    wire test_34 = sum_16 < contender_count_2_q;  // otsu.h:210
 
     // otsu.h: ZN9floorline9otsu_scan14best_contenderINS0_6WidthsILm307200EEEEE7ap_uintILi8EEPKNS0_9ContenderIT_EES4_ILi9EENS7_5CountE_2
 
@@ -394,11 +399,11 @@ module otsu (
 
     // memory denominator: 3 x 17
 
-    // memory numerator: 16 x 17
+    // memory numerator: 8 x 17
 
     // memory best_denominator: 3 x 17
 
-    // memory best_numerator: 16 x 17
+    // memory best_numerator: 8 x 17
 
     // memory contenders: 256 x 71
 
@@ -693,35 +698,33 @@ module otsu (
         if (cond_active[5] & cond_ce) word_read <= word_words[shifted_10];
     end
 
-    (* no_rw_check *)
-    reg [16:0] numerator_words [0:15];
-    reg [16:0] numerator_read;
-    assign numerator_q = numerator_read;
-    // synthesis translate_off
-    integer numerator_index;
-    initial
-        for (numerator_index = 0; numerator_index < 16; numerator_index = numerator_index + 1)
-            numerator_words[numerator_index] = 17'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if (for_9_active[1] & for_9_ce & test_23_s1) numerator_words[{1'd0, at_9_s1}] <= value_63;
-        if ((for_11_active[0] & for_11_ce) | (for_13_active[0] & for_13_ce)) numerator_read <= numerator_words[for_11_active[0] ? difference_7 : {1'd0, limb}];
-    end
+    ram_1r1w #(
+        .WIDTH(17),
+        .DEPTH(8),
+        .ADDRESS_WIDTH(3)
+    ) numerator (
+        .clk(clk),
+        .write_enable(for_9_active[1] & for_9_ce & test_23_s1),
+        .write_address(at_9_s1),
+        .write_data(value_63),
+        .read_enable((for_11_active[0] & for_11_ce) | (for_13_active[0] & for_13_ce)),
+        .read_address(for_11_active[0] ? both_27 : limb),
+        .read_data(numerator_q)
+    );
 
-    (* no_rw_check *)
-    reg [16:0] best_numerator_words [0:15];
-    reg [16:0] best_numerator_read;
-    assign best_numerator_q = best_numerator_read;
-    // synthesis translate_off
-    integer best_numerator_index;
-    initial
-        for (best_numerator_index = 0; best_numerator_index < 16; best_numerator_index = best_numerator_index + 1)
-            best_numerator_words[best_numerator_index] = 17'd0;
-    // synthesis translate_on
-    always @(posedge clk) begin
-        if (for_13_active[1] & for_13_ce) best_numerator_words[{1'd0, limb_s1}] <= numerator_data_2;
-        if (for_11_active[0] & for_11_ce) best_numerator_read <= best_numerator_words[difference_7];
-    end
+    ram_1r1w #(
+        .WIDTH(17),
+        .DEPTH(8),
+        .ADDRESS_WIDTH(3)
+    ) best_numerator (
+        .clk(clk),
+        .write_enable(for_13_active[1] & for_13_ce),
+        .write_address(limb_s1),
+        .write_data(numerator_data_2),
+        .read_enable(for_11_active[0] & for_11_ce),
+        .read_address(both_27),
+        .read_data(best_numerator_q)
+    );
 
     ram_1r1w #(
         .WIDTH(71),
@@ -791,16 +794,16 @@ module otsu (
         if (for_9_active[0] & for_9_ce) at_9 <= at_10;
         if (for_9_active[1] & for_9_ce) sum_10 <= sum_11;
         if (for_11_ce) begin
-            for_11_active[0] <= for_11_active[0] & test_29;
+            for_11_active[0] <= for_11_active[0] & ~test_30;
             for_11_active[1] <= for_11_active[0];
             for_11_active[2] <= for_11_active[1];
         end
         if (for_11_active[2] & for_11_ce) differs_4 <= differs_5;
         if (for_11_active[2] & for_11_ce) difference_6 <= sum_13;
-        if (for_11_active[0] & for_11_ce) at_11 <= extract_7;
+        if (for_11_active[0] & for_11_ce) at_11 <= extract_9;
         if (for_11_active[0] & for_11_ce) at_12 <= at_13;
         if (for_13_ce) begin
-            for_13_active[0] <= for_13_active[0] & ~test_32;
+            for_13_active[0] <= for_13_active[0] & ~test_33;
             for_13_active[1] <= for_13_active[0];
         end
         if (for_13_active[0] & for_13_ce) limb <= sum_15;
@@ -848,9 +851,9 @@ module otsu (
                 for_9_active[0] <= 1'b1;
             end
             S_FOR_9: if (for_9_active[1] & for_9_ce & test_24_s1) begin
-                state <= S_ZN9FLOORLINE9OTSU_SCAN6SQUAREEPK7AP_UINTILI17EERNS0_11PADDEDLIMBSE;
+                state <= S_ZN9FLOORLINE9OTSU_SCAN6SQUAREEPK7AP_UINTILI17EERNS0_8SIXLIMBSE;
             end
-            S_ZN9FLOORLINE9OTSU_SCAN6SQUAREEPK7AP_UINTILI17EERNS0_11PADDEDLIMBSE: if (~stall) begin
+            S_ZN9FLOORLINE9OTSU_SCAN6SQUAREEPK7AP_UINTILI17EERNS0_8SIXLIMBSE: if (~stall) begin
                 if (test_25) begin
                     state <= S_FOR_13;
                     for_13_active[0] <= 1'b1;
@@ -859,7 +862,7 @@ module otsu (
                     for_11_active[0] <= 1'b1;
                 end
             end
-            S_FOR_11: if (for_11_active[2] & for_11_ce & ~test_29_s2) begin
+            S_FOR_11: if (for_11_active[2] & for_11_ce & test_30_s2) begin
                 state <= S_FOR_12;
             end
             S_FOR_12: if (~stall) begin
@@ -870,11 +873,11 @@ module otsu (
                     state <= S_IF_6;
                 end
             end
-            S_FOR_13: if (for_13_active[1] & for_13_ce & test_32_s1) begin
+            S_FOR_13: if (for_13_active[1] & for_13_ce & test_33_s1) begin
                 state <= S_IF_6;
             end
             S_IF_6: if (~stall) begin
-                if (test_33) begin
+                if (test_34) begin
                     state <= S_FOR_8_0;
                 end else begin
                     state <= S_ZN9FLOORLINE9OTSU_SCAN14BEST_CONTENDERINS0_6WIDTHSILM307200EEEEE7AP_UINTILI8EEPKNS0_9CONTENDERIT_EES4_ILI9EENS7_5COUNTE_2;
@@ -910,7 +913,7 @@ module otsu (
             step <= 9'd0;
         end
         if ((state == S_FOR_6) & ~stall & test_20) begin
-            value_82 <= 8'd0;
+            value_83 <= 8'd0;
         end
         if ((state == S_FOR_6) & ~stall & ~test_20) begin
             best_level <= 8'd0;
@@ -921,10 +924,10 @@ module otsu (
             at_9 <= 3'd0;
             sum_10 <= 36'd0;
         end
-        if ((state == S_ZN9FLOORLINE9OTSU_SCAN6SQUAREEPK7AP_UINTILI17EERNS0_11PADDEDLIMBSE) & ~stall & test_25) begin
+        if ((state == S_ZN9FLOORLINE9OTSU_SCAN6SQUAREEPK7AP_UINTILI17EERNS0_8SIXLIMBSE) & ~stall & test_25) begin
             limb <= 3'd0;
         end
-        if ((state == S_ZN9FLOORLINE9OTSU_SCAN6SQUAREEPK7AP_UINTILI17EERNS0_11PADDEDLIMBSE) & ~stall & ~test_25) begin
+        if ((state == S_ZN9FLOORLINE9OTSU_SCAN6SQUAREEPK7AP_UINTILI17EERNS0_8SIXLIMBSE) & ~stall & ~test_25) begin
             differs_4 <= 1'd0;
             difference_6 <= 37'd0;
             at_11 <= 2'd0;
@@ -936,15 +939,15 @@ module otsu (
         if ((state == S_FOR_12) & ~stall & ~both_33) begin
             best_level_2 <= best_level;
         end
-        if (for_13_active[1] & for_13_ce & test_32_s1) begin
+        if (for_13_active[1] & for_13_ce & test_33_s1) begin
             best_level_2 <= contenders_0_data_q;
         end
-        if ((state == S_IF_6) & ~stall & test_33) begin
+        if ((state == S_IF_6) & ~stall & test_34) begin
             best_level <= best_level_2;
             i <= sum_16;
         end
-        if ((state == S_IF_6) & ~stall & ~test_33) begin
-            value_82 <= best_level_2;
+        if ((state == S_IF_6) & ~stall & ~test_34) begin
+            value_83 <= best_level_2;
         end
         if (rst) begin
             state <= S_IDLE;
@@ -958,7 +961,7 @@ module otsu (
     end
 
     always @(posedge clk) begin
-        if ((state == S_ZN9FLOORLINE9OTSU_SCAN14BEST_CONTENDERINS0_6WIDTHSILM307200EEEEE7AP_UINTILI8EEPKNS0_9CONTENDERIT_EES4_ILI9EENS7_5COUNTE_2) & ~stall) threshold <= value_82;
+        if ((state == S_ZN9FLOORLINE9OTSU_SCAN14BEST_CONTENDERINS0_6WIDTHSILM307200EEEEE7AP_UINTILI8EEPKNS0_9CONTENDERIT_EES4_ILI9EENS7_5COUNTE_2) & ~stall) threshold <= value_83;
         if ((state == S_IF_3) & ~stall) cleared <= 1'd0;
         if ((state == S_ZN9FLOORLINE9OTSU_SCAN14BEST_CONTENDERINS0_6WIDTHSILM307200EEEEE7AP_UINTILI8EEPKNS0_9CONTENDERIT_EES4_ILI9EENS7_5COUNTE_2) & ~stall) cleared <= 1'd1;
         if ((state == S_FOR_8_1) & ~stall) deviation_3[2'd0] <= value_41;
@@ -967,7 +970,7 @@ module otsu (
         if ((state == S_FOR_8_2) & ~stall) denominator[2'd0] <= value_49;
         if ((state == S_FOR_8_2) & ~stall) denominator[2'd1] <= shifted_17;
         if ((state == S_FOR_8_2) & ~stall) denominator[2'd2] <= {15'd0, shifted_18};
-        if (for_13_active[0] & for_13_ce & test_31) best_denominator[limb[1:0]] <= denominator_data_2;
+        if (for_13_active[0] & for_13_ce & test_32) best_denominator[limb[1:0]] <= denominator_data_2;
         if ((state == S_IF_3) & ~stall) at_q <= at;
         if ((state == S_IF_3) & ~stall) at_2_q <= at_2;
         if (for_4_active[0] & for_4_front_ce) sum_2_q <= sum_2;
@@ -1040,16 +1043,17 @@ module otsu (
         end
         if (for_11_ce) begin
             at_11_s1 <= at_11;
-            test_26_s2 <= test_26;
+            test_26_s1 <= test_26;
+            test_27_s2 <= test_27;
             value_79_s2 <= value_79;
-            test_27_s1 <= test_27;
-            test_27_s2 <= test_27_s1;
-            test_29_s1 <= test_29;
-            test_29_s2 <= test_29_s1;
+            test_28_s1 <= test_28;
+            test_28_s2 <= test_28_s1;
+            test_30_s1 <= test_30;
+            test_30_s2 <= test_30_s1;
         end
         if (for_13_ce) begin
             limb_s1 <= limb;
-            test_32_s1 <= test_32;
+            test_33_s1 <= test_33;
         end
         if (rst) begin
             threshold <= 8'd0;

@@ -55,6 +55,19 @@ TEST_P(Cosimulation, FullSize) {
   expect_equal({size, 3, frame, GetParam(), 3, {}, {}});
 }
 
+/// The start of the soak (record.cpp): scenes of few grey levels among them, where thresholds tie.
+TEST(CosimulationOfScenes, ManySmallOnes) {
+  constexpr int kFrames = 400;
+  constexpr std::uint64_t kSeed = 99;
+  RandomFrames random(kSeed);
+  const auto frame = [&](int index) {
+    if (index == 0) random = RandomFrames(kSeed);
+    if (index == 0 || random.chance(0.1)) random.begin_scene(random.size({64, 48}));
+    return random.next();
+  };
+  expect_equal({{640, 480}, kFrames, frame, Stalls::light, kSeed, {}, {}});
+}
+
 INSTANTIATE_TEST_SUITE_P(stalls, Cosimulation, testing::Values(Stalls::none, Stalls::light, Stalls::heavy),
                          [](const auto& info) { return name(info.param); });
 
