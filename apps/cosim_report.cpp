@@ -68,7 +68,7 @@ std::string latency_histogram(const CosimSummary& s) {
   std::string body;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const int x = static_cast<int>(i) * kBar, height = counts[i] * (kHeight - 20) / most;
-    body += svg::box(x + 2, kHeight - height, kBar - 4, height, "#3b82c4");
+    body += svg::box(x + 2, kHeight - height, kBar - 4, height, svg::kBlue);
     if (counts[i] != 0)
       body += svg::label(x + kBar / 2, kHeight - height - 4, "middle", std::to_string(counts[i]));
     body += svg::label(x + kBar / 2, kHeight + 16, "middle", std::to_string((first + i) * width));

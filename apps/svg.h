@@ -6,6 +6,9 @@
 
 namespace floorline::app::svg {
 
+/// What is drawn, where nothing is to be told apart.
+constexpr const char* kBlue = "#3b82c4";
+
 /// The whole picture, in pixels; `body` is inside.
 std::string picture(int width, int height, const std::string& body);
 

@@ -10,7 +10,7 @@ namespace floorline::app {
 namespace {
 
 constexpr int kLeft = 150, kColumn = 38, kRow = 24, kHigh = 4, kLow = 18, kHead = 24;
-constexpr const char *kWire = "#3b82c4", *kMark = "#d9480f", *kShade = "#d9480f22";
+constexpr const char *kMark = "#d9480f", *kShade = "#d9480f22";
 
 using cosim::PortState;
 
@@ -33,7 +33,7 @@ class Drawing {
 
  private:
   static int x(std::size_t cycle) { return kLeft + kColumn * static_cast<int>(cycle); }
-  std::size_t differing() const { return static_cast<std::size_t>(watch_.port()); }
+  std::size_t differing() const { return index(watch_.port()); }
   const PortState& state(std::size_t cycle, std::size_t port) const {
     return watch_.cycles()[cycle].ports[port];
   }
@@ -63,7 +63,7 @@ class Drawing {
       const int level = y_ + (state(i, port).*bit ? kHigh : kLow);
       points += fmt::format("{},{} {},{} ", x(i), level, x(i + 1), level);
     }
-    body_ += svg::line(points, port == differing() ? kMark : kWire);
+    body_ += svg::line(points, port == differing() ? kMark : svg::kBlue);
     y_ += kRow;
   }
 
@@ -74,7 +74,7 @@ class Drawing {
     const int left = x(cycle) + 1, top = y_ + kHigh - 2, bottom = y_ + kLow + 2, right = x(cycle + 1) - 1;
     if (now.moves()) body_ += svg::box(left, top, right - left, bottom - top, kShade);
     body_ += svg::line(fmt::format("{0},{1} {2},{1} {2},{3} {0},{3} {0},{1}", left, top, right, bottom),
-                       port == differing() ? kMark : kWire);
+                       port == differing() ? kMark : svg::kBlue);
     body_ +=
         svg::label((left + right) / 2, y_ + kLow - 3, "middle", fmt::format("{:04x}", now.data[0] & 0xffff));
   }

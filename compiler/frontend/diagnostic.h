@@ -24,16 +24,24 @@ struct SourceLocation {
 class CompileError : public std::runtime_error {
  public:
   CompileError(const SourceLocation& where, const std::string& sentence)
-      : std::runtime_error(where.text() + ": error: " + sentence) {}
+      : std::runtime_error(where.text() + ": error: " + sentence), where_(where), sentence_(sentence) {}
   /// `sentence` may be Clang's own text, which says where.
   explicit CompileError(const std::string& sentence)
-      : std::runtime_error(sentence.find("error: ") == std::string::npos ? "error: " + sentence : sentence) {}
+      : std::runtime_error(sentence.find("error: ") == std::string::npos ? "error: " + sentence : sentence),
+        sentence_(sentence) {}
+
+  const SourceLocation& where() const { return where_; }  ///< Line 0: nobody told.
+  const std::string& sentence() const { return sentence_; }
+
+ private:
+  SourceLocation where_;
+  std::string sentence_;
 };
 
-/// A DATAFLOW function whose calls cannot be processes; what() as CompileError's.
+/// A DATAFLOW function whose calls cannot be processes.
 class RegionError : public CompileError {
  public:
-  explicit RegionError(const CompileError& reason) : CompileError(std::string(reason.what())) {}
+  explicit RegionError(const CompileError& reason) : CompileError(reason) {}
 };
 
 /// A warning where none is accepted: its text as it is.

@@ -412,10 +412,6 @@ void convert_loops(Function& function, Optimizer& optimizer) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 bool holds_stream(Type* type) {
   if (auto* array = dyn_cast<ArrayType>(type)) return holds_stream(array->getElementType());
   auto* structure = dyn_cast<StructType>(type);

@@ -1,6 +1,7 @@
 #include "tool/compile.h"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 #include "design/aggregate.h"
@@ -206,14 +207,13 @@ CompileResult compile_any(const CompileOptions& options) {
   try {
     return compile_best(options, /*in_sequence=*/false);
   } catch (const RegionError& reason) {
-    std::string text = reason.what();
-    const std::string mark = ": error: ";
-    size_t place = text.find(mark);
-    if (place == std::string::npos || has_streams_between(options)) throw;
+    if (reason.where().line == 0 || has_streams_between(options)) throw;
     CompileResult result = compile_best(options, /*in_sequence=*/true);
-    text.replace(place, mark.size(),
-                 ": warning: DATAFLOW has no effect, the calls run one after the other: ");
-    result.diagnostics.warnings.insert(result.diagnostics.warnings.begin(), text);
+    Diagnostics all;
+    all.warn(reason.where(),
+             "DATAFLOW has no effect, the calls run one after the other: " + reason.sentence());
+    std::ranges::copy(result.diagnostics.warnings, std::back_inserter(all.warnings));
+    result.diagnostics = all;
     return result;
   }
 }

@@ -26,38 +26,27 @@ module swap_operands (A, B, CI, BI, X, Y, CO);
     endgenerate
 endmodule
 
-// A <= B as !(B < A), which the last carry tells. Yosys's own form adds a test for equality in LUTs.
-(* techmap_celltype = "$le" *)
-module not_greater (A, B, Y);
-    parameter A_SIGNED = 0;
-    parameter B_SIGNED = 0;
-    parameter A_WIDTH = 1;
-    parameter B_WIDTH = 1;
-    parameter Y_WIDTH = 1;
-
-    input [A_WIDTH-1:0] A;
-    input [B_WIDTH-1:0] B;
-    output [Y_WIDTH-1:0] Y;
-
-    wire less;
-    \$lt #(.A_SIGNED(B_SIGNED), .B_SIGNED(A_SIGNED), .A_WIDTH(B_WIDTH), .B_WIDTH(A_WIDTH), .Y_WIDTH(1)) compare (.A(B), .B(A), .Y(less));
-    assign Y = !less;
-endmodule
-
-// A >= B as !(A < B).
-(* techmap_celltype = "$ge" *)
+// A <= B as !(B < A) and A >= B as !(A < B), which the last carry tells. Yosys's own form adds a test for equality in LUTs.
+(* techmap_celltype = "$le $ge" *)
 module not_less (A, B, Y);
     parameter A_SIGNED = 0;
     parameter B_SIGNED = 0;
     parameter A_WIDTH = 1;
     parameter B_WIDTH = 1;
     parameter Y_WIDTH = 1;
+    parameter _TECHMAP_CELLTYPE_ = "";
 
     input [A_WIDTH-1:0] A;
     input [B_WIDTH-1:0] B;
     output [Y_WIDTH-1:0] Y;
 
     wire less;
-    \$lt #(.A_SIGNED(A_SIGNED), .B_SIGNED(B_SIGNED), .A_WIDTH(A_WIDTH), .B_WIDTH(B_WIDTH), .Y_WIDTH(1)) compare (.A(A), .B(B), .Y(less));
     assign Y = !less;
+
+    generate
+        if (_TECHMAP_CELLTYPE_ == "$le")
+            \$lt #(.A_SIGNED(B_SIGNED), .B_SIGNED(A_SIGNED), .A_WIDTH(B_WIDTH), .B_WIDTH(A_WIDTH), .Y_WIDTH(1)) compare (.A(B), .B(A), .Y(less));
+        else
+            \$lt #(.A_SIGNED(A_SIGNED), .B_SIGNED(B_SIGNED), .A_WIDTH(A_WIDTH), .B_WIDTH(B_WIDTH), .Y_WIDTH(1)) compare (.A(A), .B(B), .Y(less));
+    endgenerate
 endmodule

@@ -13,8 +13,8 @@ cosim::PortWatch watched() {
   for (std::uint64_t cycle = 0; cycle < 60; ++cycle) {
     cosim::PortCycle now = {cycle, {}};
     if (cycle >= 40 && cycle <= 42)
-      now.ports[static_cast<std::size_t>(Port::points)] = {true, cycle == 42, {0x12abcd}};
-    if (cycle == 41) now.ports[static_cast<std::size_t>(Port::blurred)] = {true, true, {0x7}};
+      now.ports[index(Port::points)] = {true, cycle == 42, {0x12abcd}};
+    if (cycle == 41) now.ports[index(Port::blurred)] = {true, true, {0x7}};
     watch.see(now);
   }
   return watch;

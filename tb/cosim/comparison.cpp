@@ -41,7 +41,7 @@ ExpectedFrame::ExpectedFrame(CSimulation& csim, const cv::Mat& image, const Fram
 
 long compare(Port stream, const std::vector<PackedElement>& expected, bool malformed, const Packet& got,
              std::optional<Difference>& first) {
-  const char* name = kPortNames[static_cast<std::size_t>(stream)];
+  const char* name = kPortNames[index(stream)];
   constexpr PackedElement kNone = {0xffffffff, 0xffffffff, 0xffffffff, 0xffffffff};
   long bits = malformed != got.malformed;
   for (std::size_t i = 0; i < std::max(expected.size(), got.elements.size()); ++i) {
@@ -66,7 +66,7 @@ namespace {
 
 long compare_tap(Port tap, const cv::Mat& expected, std::vector<std::uint8_t>& got,
                  std::optional<Difference>& first) {
-  const char* name = kPortNames[static_cast<std::size_t>(tap)];
+  const char* name = kPortNames[index(tap)];
   constexpr long kElementBits = 8;
   const std::size_t count = expected.total(), compared = std::min(count, got.size());
   long bits = kElementBits * static_cast<long>(count - compared);

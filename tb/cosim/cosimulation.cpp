@@ -114,8 +114,8 @@ class Session {
   /// From the frame's element to the port's, and on to the next frame. Up to the first difference as many
   /// pass as are expected.
   void count_elements(std::optional<Difference>& first) {
-    if (first && first->port) first->element += passed_[static_cast<std::size_t>(*first->port)];
-    const auto pass = [&](Port port, std::size_t count) { passed_[static_cast<std::size_t>(port)] += count; };
+    if (first && first->port) first->element += passed_[index(*first->port)];
+    const auto pass = [&](Port port, std::size_t count) { passed_[index(port)] += count; };
     pass(Port::points, expected_->points.size());
     pass(Port::obstacles, expected_->obstacles.size());
     pass(Port::counts, expected_->counts.size());

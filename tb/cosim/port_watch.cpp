@@ -8,7 +8,7 @@ void PortWatch::see(const PortCycle& cycle) {
     ++after_;
   } else {
     if (cycles_.size() > kBefore) cycles_.pop_front();
-    if (cycle.ports[static_cast<std::size_t>(port_)].moves()) --to_pass_;
+    if (cycle.ports[index(port_)].moves()) --to_pass_;
   }
   cycles_.push_back(cycle);
 }

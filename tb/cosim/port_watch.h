@@ -16,11 +16,11 @@ enum class Port { video, points, obstacles, counts, difference, motion, blurred,
 constexpr std::array<const char*, 8> kPortNames = {"video",      "points", "obstacles", "counts",
                                                    "difference", "motion", "blurred",   "region"};
 
+constexpr std::size_t index(Port port) { return static_cast<std::size_t>(port); }
+
 /// The taps are the last of them, in the order of the pipeline.
-constexpr std::size_t kTapCount = kPortNames.size() - static_cast<std::size_t>(Port::difference);
-constexpr Port tap_port(std::size_t tap) {
-  return static_cast<Port>(static_cast<std::size_t>(Port::difference) + tap);
-}
+constexpr std::size_t kTapCount = kPortNames.size() - index(Port::difference);
+constexpr Port tap_port(std::size_t tap) { return static_cast<Port>(index(Port::difference) + tap); }
 
 /// A port when the clock rises: TVALID, TREADY, TDATA.
 struct PortState {

@@ -9,7 +9,7 @@ namespace {
 void run(PortWatch& watch, std::uint32_t cycles) {
   for (std::uint32_t cycle = 0; cycle < cycles; ++cycle) {
     PortCycle now = {cycle, {}};
-    now.ports[static_cast<std::size_t>(Port::points)] = {true, cycle % 3 == 0, {cycle}};
+    now.ports[index(Port::points)] = {true, cycle % 3 == 0, {cycle}};
     watch.see(now);
   }
 }
