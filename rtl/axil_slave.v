@@ -47,6 +47,7 @@ module axil_slave #(
     localparam [1:0] SLVERR = 2'b10;
 
     reg        write_ready_reg;  // address and data are both there and are taken in this cycle
+    reg        whole_word_reg;   // of the cycle before; a master keeps address and data until they are taken
     reg        write_failed_reg;
     reg        bvalid_reg;
     reg        read_ready_reg;   // the address is taken in this cycle
@@ -67,16 +68,17 @@ module axil_slave #(
     assign s_axil_rresp   = read_failed_reg ? SLVERR : OKAY;
     assign s_axil_rvalid  = rvalid_reg;
 
-    assign write_strobe  = write_ready_reg && whole_word;
+    assign write_strobe  = write_ready_reg && whole_word_reg;
     assign write_address = s_axil_awaddr[ADDRESS_WIDTH-1:2];
     assign write_data    = s_axil_wdata;
     assign read_strobe   = read_ready_reg;
     assign read_address  = s_axil_araddr[ADDRESS_WIDTH-1:2];
 
     always @(posedge clk) begin
+        whole_word_reg  <= whole_word;
         write_ready_reg <= s_axil_awvalid && s_axil_wvalid && !write_ready_reg && !bvalid_reg;
         if (write_ready_reg) begin
-            write_failed_reg <= write_error || !whole_word;
+            write_failed_reg <= write_error || !whole_word_reg;
             bvalid_reg       <= 1'b1;
         end else if (s_axil_bready) begin
             bvalid_reg       <= 1'b0;

@@ -17,9 +17,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 LEAST_PER_FILE = 2
 # The head only copies scalars.
 LEFT_OUT = {"floorline_accelerator_head"}
-# ap_done and ap_idle, which their instances leave open; deep_ram's output registers, which this top has none of; and what is a constant as a
-# whole, as first values and cleared fields, which are often free: no bench could tell.
-UNSEEN = re.compile(r"finished_|run_leaves|ap_idle|output_enable|output_choice|= \d+'[dh][0-9a-f]+;")
+# ap_done and ap_idle, which their instances leave open; and what is a constant as a whole, as first values and cleared fields, which are
+# often free: no bench could tell.
+UNSEEN = re.compile(r"finished_|run_leaves|ap_idle|= \d+'[dh][0-9a-f]+;")
 
 # (what, pattern, replacement): one occurrence in an expression is changed.
 OPERATORS = [

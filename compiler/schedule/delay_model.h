@@ -20,19 +20,23 @@ struct Target {
   double registers;   ///< Clock to output of a register with routing, ns.
   double launch;      ///< Clock to operands from registers, with routing, ns; 0: the margin has it.
   double stall;       ///< From a predicate through the stall logic to a clock enable, ns.
-  double branch;  ///< From a branch's condition to the enables of the registers it sets, ns; 0: as launch.
+  double enable;      ///< From a condition to the enables of registers or of a RAM that it decides, ns; 0: as
+                      ///< launch.
   unsigned multiplier_wide, multiplier_narrow;  ///< Signed operand widths of a multiplier block.
   bool adds_products;    ///< A multiplier block also adds another's product; else wide products are split.
-  unsigned block_words;  ///< A RAM of more words is a deep_ram (rtl/lib); 0: none is.
+  unsigned block_words;  ///< A RAM of more words is a far_ram (rtl/lib); 0: none is.
   int least_fifo;        ///< Words of the smallest FIFO; that of one word lets m_ready through to s_ready.
-  double reach;          ///< Between a register and the far blocks of a deep_ram, ns.
+  double reach;          ///< From logic to the registers before the blocks of a far_ram, ns.
 };
 
 /// xc6v (Virtex-6), xc7 (7-series) or ecp5; throws CompileError for another name.
 const Target& target_named(const std::string& name);
 
-/// Whether reads of this memory take two cycles, as it spans several blocks in depth.
-bool is_deep(const Target& target, const Memory& memory);
+/// Cycles that a read of rtl/lib/far_ram.v takes.
+constexpr unsigned kFarRead = 6;
+
+/// Whether this memory is a far_ram, as it spans several blocks in depth.
+bool is_far(const Target& target, const Memory& memory);
 
 /// Delay from the operands of `operation` to its result, ns.
 double delay_of(const Target& target, const Process& process, const Operation& operation);

@@ -96,12 +96,12 @@ class BlockScheduler {
         node.latency = process_.memories[op.object].load_latency;
         node.delay = 0;
         node.output_delay =
-            is_deep(op) ? options_.target.registers + options_.target.reach + 2 * options_.target.logic
-                        : options_.target.memory;
+            is_far(op) ? options_.target.registers + 2 * options_.target.logic : options_.target.memory;
       }
-      if (op.is_memory_access() && is_deep(op)) node.tail = options_.target.reach;
+      if (op.is_memory_access() && is_far(op)) node.tail = options_.target.reach;
+      if (op.kind == OpKind::kStore && !is_far(op) && node.resource >= 0) node.tail = options_.target.enable;
       if (op.is_stream_access()) node.tail = options_.target.stall;
-      if (id == block_.terminator.condition && !block_.is_loop) node.tail = options_.target.branch;
+      if (id == block_.terminator.condition && !block_.is_loop) node.tail = options_.target.enable;
       node.bits = op.has_result() && op.kind != OpKind::kConstant && op.kind != OpKind::kInput ? op.bits : 0;
       node.is_register = op.kind == OpKind::kPhi;
       node.is_fixed = op.has_effect() || op.kind == OpKind::kEmpty || op.kind == OpKind::kFull ||
@@ -111,7 +111,7 @@ class BlockScheduler {
     problem_.period = options_.period * (1 - options_.margin);
   }
 
-  bool is_deep(const Operation& access) const { return process_.memories[access.object].load_latency > 1; }
+  bool is_far(const Operation& access) const { return process_.memories[access.object].load_latency > 1; }
 
   void data(ValueId from, int to, int distance = 0) {
     auto found = node_.find(from);

@@ -113,7 +113,7 @@ class Compilation {
     join_aggregates(process, result_.diagnostics);
     tell("simplify", process);
     for (Memory& memory : process.memories)
-      if (is_deep(target, memory)) memory.load_latency = 2;
+      if (is_far(target, memory)) memory.load_latency = kFarRead;
     CompiledProcess made{process, schedule_process(process, schedule_options_, result_.diagnostics)};
     tell("schedule", made.process, &made.schedule);
     return made;

@@ -14,6 +14,13 @@ bool is_block_rom(const Memory& memory) {
   return memory.kind == MemoryKind::kRom && memory.depth * memory.width >= kBlockTableBits;
 }
 
+/// The elements of a concatenation, the last one in the highest bits.
+std::string last_first(const std::map<int, std::string>& elements) {
+  std::string out;
+  for (const auto& [index, element] : elements) out = element + (out.empty() ? "" : ", ") + out;
+  return out;
+}
+
 }  // namespace
 
 void ProcessEmitter::emit_memory(size_t index) {
@@ -39,8 +46,8 @@ ProcessEmitter::PortSignals ProcessEmitter::port_of(const Memory& memory,
     const Operation& op = process_[users[i]];
     Place at{op.block, schedule_.start[users[i]]};
     std::string when = kind == OpKind::kLoad ? happens(at) : happens(op, at);
-    if (kind == OpKind::kLoad && memory.load_latency > 1)
-      port.output_enable += (i ? " | (" : "(") + happens({op.block, at.cycle + 1}) + ")";
+    for (int stage = 1; kind == OpKind::kLoad && stage < static_cast<int>(memory.load_latency); ++stage)
+      port.advance[stage] += (i ? " | (" : "(") + happens({op.block, at.cycle + stage}) + ")";
     port.enable += (i ? " | " : "") + (users.size() > 1 ? "(" + when + ")" : when);
     std::string address = text(op.operands[0], address_bits(memory.depth), at);
     std::string data = kind == OpKind::kStore ? text(op.operands[1], memory.width, at) : "";
@@ -66,18 +73,19 @@ void ProcessEmitter::emit_ram(const Memory& memory, const std::vector<ValueId>& 
   auto or_zero = [](const std::string& value, unsigned width) {
     return value.empty() ? std::to_string(width) + "'d0" : value;
   };
-  bool has_register = memory.load_latency > 1;
-  bool is_deep = has_register || (address > kCascadeAddress && memory.starts_as_zero());
-  if (memory.initial.empty() || is_deep) {
-    bodies_ << "\n    " << (is_deep ? "deep_ram" : "ram_1r1w") << " #(\n        .WIDTH(" << memory.width
-            << "),\n        .DEPTH(" << memory.depth << "),\n        .ADDRESS_WIDTH(" << address << ")";
-    if (is_deep && !has_register)
-      bodies_ << ",\n        .BLOCK_ADDRESS(" << kCascadeAddress << "),\n        .OUTPUT_REGISTER(0)";
+  bool is_far = memory.load_latency > 1;
+  bool is_deep = !is_far && address > kCascadeAddress && memory.starts_as_zero();
+  if (memory.initial.empty() || is_far || is_deep) {
+    std::string module = is_far ? "far_ram" : "ram_1r1w";
+    if (is_deep) module = "deep_ram";
+    bodies_ << "\n    " << module << " #(\n        .WIDTH(" << memory.width << "),\n        .DEPTH("
+            << memory.depth << "),\n        .ADDRESS_WIDTH(" << address << ")";
+    if (is_deep) bodies_ << ",\n        .BLOCK_ADDRESS(" << kCascadeAddress << ")";
     bodies_ << "\n    ) " << name << " (\n        .clk(clk),\n        .write_enable("
             << or_zero(write.enable, 1) << "),\n        .write_address(" << or_zero(write.address, address)
             << "),\n        .write_data(" << or_zero(write.data, memory.width) << "),\n        .read_enable("
             << read.enable << "),\n        .read_address(" << read.address << "),\n";
-    if (is_deep) bodies_ << "        .output_enable(" << or_zero(read.output_enable, 1) << "),\n";
+    if (is_far) bodies_ << "        .advance({" << last_first(read.advance) << "}),\n";
     bodies_ << "        .read_data(" << name << "_q)\n    );\n";
     return;
   }

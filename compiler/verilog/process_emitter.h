@@ -39,7 +39,7 @@ class ProcessEmitter {
   };
   struct PortSignals {
     std::string enable, address, data;
-    std::string output_enable;  ///< Of a deep RAM: its word is taken over, a cycle after the address.
+    std::map<int, std::string> advance;  ///< Of a far RAM: a load moves on, by stages after its address.
   };
 
   // The module (emit_process.cpp)

@@ -609,8 +609,7 @@ module frame_ring (
         .WIDTH(8),
         .DEPTH(81920),
         .ADDRESS_WIDTH(17),
-        .BLOCK_ADDRESS(16),
-        .OUTPUT_REGISTER(0)
+        .BLOCK_ADDRESS(16)
     ) even_even (
         .clk(clk),
         .write_enable(for_2_active[5] & for_2_ce & both_41),
@@ -618,7 +617,6 @@ module frame_ring (
         .write_data(in_data_s5),
         .read_enable(for_2_active[4] & for_2_ce),
         .read_address(sum_13),
-        .output_enable(1'd0),
         .read_data(even_even_q)
     );
 
@@ -626,8 +624,7 @@ module frame_ring (
         .WIDTH(8),
         .DEPTH(81920),
         .ADDRESS_WIDTH(17),
-        .BLOCK_ADDRESS(16),
-        .OUTPUT_REGISTER(0)
+        .BLOCK_ADDRESS(16)
     ) even_odd (
         .clk(clk),
         .write_enable(for_2_active[5] & for_2_ce & both_44),
@@ -635,7 +632,6 @@ module frame_ring (
         .write_data(in_data_s5),
         .read_enable(for_2_active[4] & for_2_ce),
         .read_address(sum_14),
-        .output_enable(1'd0),
         .read_data(even_odd_q)
     );
 
@@ -643,8 +639,7 @@ module frame_ring (
         .WIDTH(8),
         .DEPTH(81920),
         .ADDRESS_WIDTH(17),
-        .BLOCK_ADDRESS(16),
-        .OUTPUT_REGISTER(0)
+        .BLOCK_ADDRESS(16)
     ) odd_even (
         .clk(clk),
         .write_enable(for_2_active[5] & for_2_ce & both_46),
@@ -652,7 +647,6 @@ module frame_ring (
         .write_data(in_data_s5),
         .read_enable(for_2_active[4] & for_2_ce),
         .read_address(sum_15),
-        .output_enable(1'd0),
         .read_data(odd_even_q)
     );
 
@@ -660,8 +654,7 @@ module frame_ring (
         .WIDTH(8),
         .DEPTH(81920),
         .ADDRESS_WIDTH(17),
-        .BLOCK_ADDRESS(16),
-        .OUTPUT_REGISTER(0)
+        .BLOCK_ADDRESS(16)
     ) odd_odd (
         .clk(clk),
         .write_enable(for_2_active[5] & for_2_ce & both_48),
@@ -669,7 +662,6 @@ module frame_ring (
         .write_data(in_data_s5),
         .read_enable(for_2_active[4] & for_2_ce),
         .read_address(sum_16),
-        .output_enable(1'd0),
         .read_data(odd_odd_q)
     );
     assign in_read = (for_2_active[0] & for_2_front_ce);

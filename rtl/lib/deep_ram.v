@@ -1,19 +1,15 @@
-// RAM of more words than a block holds: one write port, one read port, one clock.
+// RAM of more words than a block holds: one write port, one read port, one clock; in blocks of the powers of two that an FPGA makes of block
+// RAM without logic.
 //
-// With OUTPUT_REGISTER a read takes two cycles: read_enable takes the address, output_enable the word in a later cycle. What chooses among
-// the blocks lies behind their registers, so that the way from a block to the logic, often across the die, has a cycle of its own. Without
-// it a read takes one cycle, as that of ram_1r1w, and output_enable is not used; the blocks are the powers of two that an FPGA makes of
-// block RAM without logic.
-// A read of the address that is written in the same cycle is undefined. Contents start as zero, as those of block RAM do.
+// Ports and rules as in ram_1r1w.v. Contents start as zero, as those of block RAM do. Where the blocks are many and slow to reach: far_ram.v.
 
 `default_nettype none
 
 module deep_ram #(
     parameter WIDTH         = 8,      // bits of a word, 1 or more
-    parameter DEPTH         = 65536,  // words, more than one block's
-    parameter ADDRESS_WIDTH = 16,     // bits of an address, the least with 2^ADDRESS_WIDTH >= DEPTH
-    parameter BLOCK_ADDRESS = 14,     // bits of an address within a block
-    parameter OUTPUT_REGISTER = 1     // 1: a register behind each block
+    parameter DEPTH         = 65537,  // words, more than one block's
+    parameter ADDRESS_WIDTH = 17,     // bits of an address, the least with 2^ADDRESS_WIDTH >= DEPTH
+    parameter BLOCK_ADDRESS = 16      // bits of an address within a block
 ) (
     input  wire                     clk,
 
@@ -23,7 +19,6 @@ module deep_ram #(
 
     input  wire                     read_enable,
     input  wire [ADDRESS_WIDTH-1:0] read_address,
-    input  wire                     output_enable,
     output wire [WIDTH-1:0]         read_data
 );
 
@@ -42,17 +37,13 @@ module deep_ram #(
     localparam CHOICE_WIDTH = ADDRESS_WIDTH - BLOCK_ADDRESS;
 
     reg  [CHOICE_WIDTH-1:0] read_choice_reg;
-    reg  [CHOICE_WIDTH-1:0] output_choice_reg;
     wire [WIDTH-1:0]        outputs [0:BLOCKS-1];
 
-    assign read_data = outputs[OUTPUT_REGISTER ? output_choice_reg : read_choice_reg];
+    assign read_data = outputs[read_choice_reg];
 
-    always @(posedge clk) begin
+    always @(posedge clk)
         if (read_enable)
             read_choice_reg <= read_address[ADDRESS_WIDTH-1:BLOCK_ADDRESS];
-        if (output_enable)
-            output_choice_reg <= read_choice_reg;
-    end
 
     genvar block;
     generate
@@ -64,17 +55,14 @@ module deep_ram #(
             (* no_rw_check *)
             reg [WIDTH-1:0] memory [0:WORDS-1];
             reg [WIDTH-1:0] read_reg;
-            reg [WIDTH-1:0] output_reg;
 
-            assign outputs[block] = OUTPUT_REGISTER ? output_reg : read_reg;
+            assign outputs[block] = read_reg;
 
             always @(posedge clk) begin
                 if (write_enable && write_address[ADDRESS_WIDTH-1:BLOCK_ADDRESS] == CHOICE)
                     memory[write_address[WORD_ADDRESS-1:0]] <= write_data;
                 if (read_enable)
                     read_reg <= memory[read_address[WORD_ADDRESS-1:0]];
-                if (output_enable)
-                    output_reg <= read_reg;
             end
 
 `ifndef SYNTHESIS

@@ -58,7 +58,7 @@ XILINX_LUTS = "; ".join([
 # Enables and resets that fewer than six flip-flops share are made in the LUTs before them: as pins they cost a LUT and a wire more.
 ECP5_FLIP_FLOPS = " ".join(f"-cell {cell}" for cell in ("$_DFF_?_ 01", "$_DFF_?P?_ r", "$_SDFF_?P?_ r", "$_DFFE_??_ 01", "$_DFFE_?P??_ r",
                                                        "$_SDFFE_?P??_ r"))
-ECP5_SHORT_RAMS = ('setattr -set ram_style "distributed" t:$mem_v2 r:SIZE<=64 %i t:$mem_v2 r:SIZE<=256 %i r:WIDTH<=36 %i %u r:WR_PORTS>=1 %i '
+ECP5_SHORT_RAMS = ('setattr -set ram_style "distributed" t:$mem_v2 r:SIZE<=64 %i t:$mem_v2 r:SIZE<=256 %i r:WIDTH<=8 %i %u r:WR_PORTS>=1 %i '
                    'a:ram_style %d')
 ECP5_ENABLES = f"opt_clean; dfflegalize -mince 6 -minsrst 6 {ECP5_FLIP_FLOPS}"
 ECP5_LUTS = "techmap -map +/ecp5/latches_map.v; abc9 -W 800 -script +&scorr;&sweep;&dc2;&dch,-f;&ps;&if,{C},{W},{D},{R},-F,0,-A,0;&mfs; clean"

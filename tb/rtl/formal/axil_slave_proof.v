@@ -42,7 +42,7 @@ module axil_slave_proof (
 
     reg started = 1'b0;             // a reset came first
     reg past_reset;
-    reg [8:0] past_write;           // address, data and strobes that wait
+    reg [9:0] past_write;           // address, data and strobes that wait
     reg       past_awaits, past_wwaits, past_arwaits, past_bwaits, past_rwaits;
     reg [3:0] past_araddr;
     reg [1:0] past_bresp, past_rresp, past_rdata;
@@ -61,7 +61,7 @@ module axil_slave_proof (
         past_arwaits <= arvalid && !arready;
         past_bwaits  <= bvalid && !bready;
         past_rwaits  <= rvalid && !rready;
-        past_write   <= {awaddr, wdata, wstrb[2:0]};
+        past_write   <= {awaddr, wdata, wstrb};
         past_araddr  <= araddr;
         past_bresp   <= bresp;
         past_rresp   <= rresp;
@@ -86,8 +86,8 @@ module axil_slave_proof (
         if (!started)
             assume (rst);
         if (started && !past_reset) begin
-            assume (!past_awaits || (awvalid && awaddr == past_write[8:5]));
-            assume (!past_wwaits || (wvalid && wdata == past_write[4:3] && wstrb[2:0] == past_write[2:0]));
+            assume (!past_awaits || (awvalid && awaddr == past_write[9:6]));
+            assume (!past_wwaits || (wvalid && wdata == past_write[5:4] && wstrb == past_write[3:0]));
             assume (!past_arwaits || (arvalid && araddr == past_araddr));
         end
         if (started && !rst && !past_reset) begin
