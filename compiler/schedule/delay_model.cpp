@@ -13,7 +13,7 @@ const Target kTargets[] = {
     // ns, 0.036 a bit and the routing to it and of its carry out; the bits of chains in a row overlap, so a
     // bit counts less here and the chain more. Yosys uses no output registers of DP16KD and MULT18X18D: 5.8
     // ns and 3.9 ns without routing.
-    {"ecp5", 1.05, 2.1, 2.30, 0.020, 5.2, 7.4, 1.2, 1.2, 3.6, 2.4, 18, 18, false, 16384, 2, 3.5},
+    {"ecp5", 1.05, 2.1, 2.30, 0.020, 5.2, 7.4, 1.2, 1.2, 4.4, 2.4, 18, 18, false, 16384, 2, 3.5},
 };
 
 double adder(const Target& target, unsigned bits) { return target.carry_base + target.carry_bit * bits; }

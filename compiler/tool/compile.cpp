@@ -62,6 +62,7 @@ class Compilation {
       add_process(build_process(program_, middle, function, name), function);
     }
     PortModes modes = PortModes::from(middle.directives.ports[program_.top], result_.diagnostics);
+    modes.least_fifo = schedule_options_.target.least_fifo;
     TopModule module =
         is_region ? region_top(middle, modes)
                   : emit_single_top(result_.top, result_.processes[0].process, modes, options_.has_probes);

@@ -263,10 +263,12 @@ class TopWriter {
     }
   }
 
-  /// register_mode=forward: TDATA and TVALID come from registers, TREADY goes straight through.
+  /// register_mode=forward: TDATA and TVALID come from registers, TREADY goes straight through where the
+  /// target has such FIFOs.
   int port_depth(const std::string& parameter) const {
     auto found = modes_.by_port.find(parameter);
-    return found != modes_.by_port.end() && found->second.text("register_mode") == "forward" ? 1 : 2;
+    bool is_forward = found != modes_.by_port.end() && found->second.text("register_mode") == "forward";
+    return is_forward ? modes_.least_fifo : 2;
   }
 
   struct Handshake {

@@ -22,6 +22,7 @@ struct TopModule {
 /// How the ports of the top look, from the INTERFACE directives.
 struct PortModes {
   std::map<std::string, Directive> by_port;  ///< Parameter name or "return".
+  int least_fifo = 1;                        ///< Words of the smallest FIFO behind an output (Target).
 
   /// Warns of m_axi, in whose place there are the ports of a memory.
   static PortModes from(const std::vector<PortDirective>& directives, Diagnostics& diagnostics);
