@@ -46,15 +46,17 @@ class Probes {
   }
   void fifo(const std::string& name, const Fifo& fifo) { fifos_[name] = fifo; }
   void loop(const Loop& loop) { loops_.push_back(loop); }
-  /// An access of a later iteration came before one of an earlier iteration to the same word.
+  /// An access of a later iteration (`distance` 0: behind it in the same) came before another to the same word.
   void dependence(const std::string& who, const std::string& array, const std::string& early,
                   const std::string& late, int distance) {
     if (!told_.insert({who, array}).second) return;
-    std::fprintf(
-        stderr,
-        "warning: DEPENDENCE false of '%s' in '%s' does not hold: %s comes before %s of %d iteration%s "
-        "earlier, to the same element\n",
-        array.c_str(), name_of(who).c_str(), early.c_str(), late.c_str(), distance, distance == 1 ? "" : "s");
+    std::string whose = distance == 0   ? "the same iteration"
+                        : distance == 1 ? "1 iteration earlier"
+                                        : std::to_string(distance) + " iterations earlier";
+    std::fprintf(stderr,
+                 "warning: DEPENDENCE false of '%s' in '%s' does not hold: %s comes before %s of %s, to the "
+                 "same element\n",
+                 array.c_str(), name_of(who).c_str(), early.c_str(), late.c_str(), whose.c_str());
   }
   int extra_places(const std::string& stream) const {
     auto found = extra_.find(stream);

@@ -94,7 +94,8 @@ int ProcessBuilder::memory_of(MemoryObject& object, Value* pointer, size_t leaf,
   memory.name = names_.unique(object.leaf_names[leaf] + bank_suffix, "memory");
   memory.width = object.widths[leaf];
   memory.is_signed = object.signedness[leaf];
-  memory.independent = is_independent(pointer);
+  memory.between_iterations = independence(pointer, "inter");
+  memory.in_iteration = independence(pointer, "intra");
   memory.is_aggregate = object.is_aggregate;
   if (object.is_aggregate) {
     memory.name = names_.unique(object.name);
@@ -129,12 +130,22 @@ int ProcessBuilder::memory_of(MemoryObject& object, Value* pointer, size_t leaf,
 
 bool ProcessBuilder::is_constant_table(const GlobalVariable& global) { return global.isConstant(); }
 
-bool ProcessBuilder::is_independent(Value* pointer) {
-  return any_of(middle_.directives.of(pointer, "DEPENDENCE"), [](const ObjectDirective& entry) {
+Independence ProcessBuilder::independence(Value* pointer, const char* type) {
+  Independence claimed;
+  for (const ObjectDirective& entry : middle_.directives.of(pointer, "DEPENDENCE")) {
     const Directive& directive = entry.directive;
-    return (directive.has("inter") || directive.text("type") == "inter") &&
-           (directive.has("false") || directive.text("dependent") == "false");
-  });
+    bool is_claim = (directive.has(type) || directive.text("type") == type) &&
+                    (directive.has("false") || directive.text("dependent") == "false");
+    if (!is_claim) continue;
+    auto names = [&](const char* direction) {
+      return directive.has(direction) || StringRef(directive.text("direction")).equals_insensitive(direction);
+    };
+    bool names_none = !names("raw") && !names("war") && !names("waw");
+    claimed.read_after_write |= names_none || names("raw");
+    claimed.write_after_read |= names_none || names("war");
+    claimed.write_after_write |= names_none || names("waw");
+  }
+  return claimed;
 }
 
 std::vector<APInt> ProcessBuilder::initial_words(GlobalVariable& global, const MemoryObject& object,

@@ -1,3 +1,5 @@
+#include <regex>
+
 #include "design/process_builder.h"
 #include "middle/primitives.h"
 #include "middle/source_location.h"
@@ -91,11 +93,23 @@ void ProcessBuilder::write_run(Instruction& source) {
   process_.streams.push_back(runs);
 }
 
+bool ProcessBuilder::takes_one(CallInst& call, const Memory& memory) {
+  auto process = program_.functions.find(call.getCalledFunction()->getName().str());
+  return process != program_.functions.end() && process->second.parameters[memory.argument].dims.empty();
+}
+
 MemoryTie ProcessBuilder::memory_tie(CallInst& call, Argument& argument, const Memory& memory) {
-  const MemoryObject& object = objects_[&argument];
+  MemoryObject& object = objects_[&argument];
   MemoryTie tie{memory.name, object.name, object.argument};
   for (size_t leaf = 0; leaf < object.leaves.size() && !memory.is_aggregate; ++leaf)
-    if (object.leaves[leaf].byte_offset == memory.byte_offset) tie.outside = object.leaf_names[leaf];
+    if (object.leaves[leaf].byte_offset == memory.byte_offset) {
+      // The region alone takes the elements of an array in a struct for scalars: `out[0]` leads to `out`.
+      std::string& name = object.leaf_names[leaf];
+      static const std::regex kSubscript("\\[\\d+\\]");
+      if (name.find('[') != std::string::npos)
+        name = names_.unique(takes_one(call, memory) ? std::regex_replace(name, kSubscript, "") : name);
+      tie.outside = name;
+    }
   for (const Instance& other : region_->instances)
     for (const MemoryTie& taken : other.memories)
       if (taken.outside == tie.outside)

@@ -92,6 +92,17 @@ enum class MemoryKind {
   kPort,       ///< Outside the module (ap_memory): as kRam.
 };
 
+/// What DEPENDENCE false claims: no access comes to the word of one before it in these orders.
+struct Independence {
+  bool read_after_write = false, write_after_read = false, write_after_write = false;
+
+  bool of(OpKind first, OpKind second) const {
+    if (first == OpKind::kLoad) return write_after_read;
+    return second == OpKind::kLoad ? read_after_write : write_after_write;
+  }
+  bool claims_any() const { return read_after_write || write_after_read || write_after_write; }
+};
+
 struct Memory {
   std::string name;
   MemoryKind kind = MemoryKind::kRam;
@@ -99,7 +110,7 @@ struct Memory {
   bool is_signed = false;  ///< How loads extend.
   uint64_t depth = 1;
   std::vector<llvm::APInt> initial;  ///< Static or constant contents; empty: undefined at start.
-  bool independent = false;          ///< DEPENDENCE inter false.
+  Independence between_iterations, in_iteration;
   bool is_aggregate = false;  ///< A port whose words are whole structs, first member in the lowest bits.
   std::string aggregate;  ///< AGGREGATE on a local array of structs: name of the memory of whole elements.
   bool is_read = false, is_written = false;

@@ -120,7 +120,8 @@ class ProcessBuilder {
   static uint64_t bank_count(const Partition& partition, uint64_t size);
   int memory_of(MemoryObject& object, llvm::Value* pointer, size_t leaf, uint64_t bank);
   bool is_constant_table(const llvm::GlobalVariable& global);
-  bool is_independent(llvm::Value* pointer);
+  /// What DEPENDENCE claims; `type`: inter or intra, as the pragma says it.
+  Independence independence(llvm::Value* pointer, const char* type);
   /// Contents of one bank; a single word stands for all words alike.
   std::vector<llvm::APInt> initial_words(llvm::GlobalVariable& global, const MemoryObject& object,
                                          size_t leaf, uint64_t bank, uint64_t depth);
@@ -218,6 +219,8 @@ class ProcessBuilder {
   void note_loop(llvm::CallInst& call);
   /// At the end of a loop's iteration: the head starts a run.
   void write_run(llvm::Instruction& source);
+  /// Whether the process takes one struct of which `memory` is an array, not an array of structs.
+  bool takes_one(llvm::CallInst& call, const Memory& memory);
   MemoryTie memory_tie(llvm::CallInst& call, llvm::Argument& argument, const Memory& memory);
   ChannelPort channel_port(llvm::CallInst& call, llvm::Value* array, const Memory& memory);
   RegionChannel new_channel(llvm::CallInst& call, llvm::Value* array);

@@ -3,6 +3,8 @@
 #ifndef HLSC_INCLUDE_HLS_STREAM_H
 #define HLSC_INCLUDE_HLS_STREAM_H
 
+#include <stdint.h>
+
 // The compiler recognises these by name and takes the element's bit layout from T.
 template <class T>
 void __hls_stream_read(const void* stream, T* value) noexcept;

@@ -159,12 +159,29 @@ Value* without_references(Value* pointer) {
   return stored ? without_references(stored) : pointer;
 }
 
-/// The type of what a pragma names; null when only the caller of the top knows it.
-Type* named_type(Value* pointer) {
+/// The member at a byte offset of a struct, or of structs in it; null when there is none.
+Type* member_at(StructType& structure, uint64_t offset, const DataLayout& layout) {
+  const StructLayout& members = *layout.getStructLayout(&structure);
+  if (offset >= members.getSizeInBytes()) return nullptr;
+  unsigned index = members.getElementContainingOffset(offset);
+  Type* member = structure.getElementType(index);
+  offset -= members.getElementOffset(index);
+  if (offset == 0) return member;
+  auto* inner = dyn_cast<StructType>(member);
+  return inner ? member_at(*inner, offset, layout) : nullptr;
+}
+
+/// The type of what a pragma names at a byte offset of `object`; null when only the caller of the top knows.
+Type* named_type(Value* pointer, Value* object, uint64_t offset, const DataLayout& layout) {
   if (auto* alloca = dyn_cast<AllocaInst>(pointer)) return alloca->getAllocatedType();
   if (auto* global = dyn_cast<GlobalVariable>(pointer)) return global->getValueType();
-  if (auto* gep = dyn_cast<GEPOperator>(pointer)) return gep->getResultElementType();
-  return nullptr;
+  auto* gep = dyn_cast<GEPOperator>(pointer);
+  if (!gep) return nullptr;
+  // LLVM turns the address of a global object's member into one in bytes.
+  auto* global = dyn_cast<GlobalVariable>(object);
+  auto* structure = global ? dyn_cast<StructType>(global->getValueType()) : nullptr;
+  Type* member = structure ? member_at(*structure, offset, layout) : nullptr;
+  return member ? member : gep->getResultElementType();
 }
 
 /// The object of a pragma and the part of it that is named. A struct as a whole has no subscripts: its first
@@ -179,7 +196,7 @@ ObjectDirective object_directive(const Marker& marker) {
   APInt offset(64, 0);
   pointer->stripAndAccumulateConstantOffsets(layout, offset, /*AllowNonInbounds=*/true);
   made.offset = offset.getZExtValue();
-  Type* type = named_type(pointer);
+  Type* type = named_type(pointer, made.object, made.offset, layout);
   for (auto* structure = dyn_cast_or_null<StructType>(type); structure && structure->getNumElements();
        structure = dyn_cast<StructType>(type))
     type = structure->getElementType(0);

@@ -217,13 +217,14 @@ class BlockScheduler {
     return x.phi != kNoValue && x.phi == y.phi && x.offset != y.offset;
   }
 
-  /// Cycles from one access to a later one of the same word.
-  int gap(const Operation& first, const Operation& second) const {
+  /// Cycles from one access to a later one of the same word, which may lie in a later iteration.
+  int gap(const Operation& first, const Operation& second, bool is_carried) const {
     bool immediate = process_.memories[first.object].kind == MemoryKind::kRegisters;
     if (first.kind == OpKind::kLoad)
       return immediate ? 0 : 1;  // A RAM read of the word being written is undefined.
-    (void)second;
-    return 1;
+    // Of an iteration's stores to a register in one cycle the last stands last in the Verilog, too.
+    bool overwrites = immediate && block_.is_loop && !is_carried && second.kind == OpKind::kStore;
+    return overwrites ? 0 : 1;
   }
 
   void add_memory_dependences() {
@@ -234,10 +235,13 @@ class BlockScheduler {
         const Operation& second = process_[block_.operations[k]];
         if (!second.is_memory_access() || second.object != first.object) continue;
         if (first.kind == OpKind::kLoad && second.kind == OpKind::kLoad) continue;
-        if (i < k && !differ_in_iteration(first, second)) order(i, k, 0, gap(first, second));
-        if (!block_.is_loop || process_.memories[first.object].independent) continue;
+        const Memory& memory = process_.memories[first.object];
+        bool is_apart = (block_.is_loop && memory.in_iteration.of(first.kind, second.kind)) ||
+                        differ_in_iteration(first, second);
+        if (i < k && !is_apart) order(i, k, 0, gap(first, second, false));
+        if (!block_.is_loop || memory.between_iterations.of(first.kind, second.kind)) continue;
         int distance = carried_distance(first, second);
-        if (distance > 0) order(i, k, distance, gap(first, second));
+        if (distance > 0) order(i, k, distance, gap(first, second, true));
       }
     }
   }

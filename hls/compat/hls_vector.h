@@ -3,6 +3,7 @@
 #define HLS_VECTOR_H
 
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 
 namespace hls {
