@@ -1,72 +1,17 @@
 #include "cosim/cosim.h"
 
-#include <sys/wait.h>
-
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <sstream>
 
 #include "cosim/adapter.h"
+#include "cosim/program_build.h"
 
 namespace hlsc {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A directory that goes away unless the user named it.
-class WorkDirectory {
- public:
-  explicit WorkDirectory(const std::string& wanted) : is_temporary_(wanted.empty()) {
-    if (is_temporary_) {
-      std::string pattern = (fs::temp_directory_path() / "hlsc-cosim-XXXXXX").string();
-      if (!mkdtemp(pattern.data()))
-        throw CompileError("cannot make a temporary directory; set TMPDIR or give --work");
-      path_ = pattern;
-    } else {
-      fs::create_directories(wanted);
-      path_ = fs::absolute(wanted);
-    }
-  }
-  ~WorkDirectory() {
-    std::error_code ignored;
-    if (is_temporary_) fs::remove_all(path_, ignored);
-  }
-  const fs::path& path() const { return path_; }
-
- private:
-  bool is_temporary_;
-  fs::path path_;
-};
-
-std::string shell_word(const std::string& text) {
-  std::string out = "'";
-  for (char c : text) out += c == '\'' ? "'\\''" : std::string(1, c);
-  return out + "'";
-}
-
-int exit_code(int status) { return WIFEXITED(status) ? WEXITSTATUS(status) : 128; }
-
-/// What the command says when it fails; empty when it does not.
-std::string failure_of(const std::string& command, const fs::path& log) {
-  if (exit_code(std::system((command + " > " + shell_word(log.string()) + " 2>&1").c_str())) == 0) return "";
-  std::ifstream in(log);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str().empty() ? "it failed without a word" : text.str();
-}
-
-void run_or_throw(const std::string& command, const fs::path& log, const std::string& what) {
-  std::string failure = failure_of(command, log);
-  if (!failure.empty()) throw CompileError(what + ":\n" + failure);
-}
-
-/// The C++ compiler, behind ccache where there is one: the Verilator runtime is the same for every design.
-std::string cxx() {
-  bool has_ccache = std::system("command -v ccache > /dev/null 2>&1") == 0;
-  return std::string(has_ccache ? "ccache " : "") + HLSC_CLANG;
-}
 
 class Simulation {
  public:
@@ -144,7 +89,7 @@ class Simulation {
   }
 
   void build_program() {
-    objects_.clear();
+    ProgramBuild program(dir_);
     std::string root = verilator_root();
     std::string define_trace = cosim_.trace.empty() ? " -DVM_TRACE=0" : " -DVM_TRACE=1 -DVM_TRACE_VCD=1";
     // The same words for every design, so that ccache knows the runtime.
@@ -158,29 +103,15 @@ class Simulation {
                                   : " -DHLSC_TRACE=1 -DHLSC_TRACE_FILE=" +
                                         shell_word("\"" + fs::absolute(cosim_.trace).string() + "\"");
     for (const char* name : {"verilated.cpp", "verilated_threads.cpp"})
-      compile_source(root + "/include/" + name, runtime_flags);
-    if (!cosim_.trace.empty()) compile_source(root + "/include/verilated_vcd_c.cpp", runtime_flags);
+      program.add(root + "/include/" + name, runtime_flags);
+    if (!cosim_.trace.empty()) program.add(root + "/include/verilated_vcd_c.cpp", runtime_flags);
     std::string bench_flags = flags;
     for (const std::string& flag : cosim_.flags) bench_flags += " " + shell_word(flag);
-    for (const std::string& bench : cosim_.test_benches) compile_source(bench, bench_flags);
-    compile_source((dir_ / "adapter.cpp").string(), flags);
+    for (const std::string& bench : cosim_.test_benches) program.add(bench, bench_flags);
+    program.add((dir_ / "adapter.cpp").string(), flags);
     for (const auto& entry : fs::directory_iterator(model_dir_))
-      if (entry.path().extension() == ".cpp") compile_source(entry.path().string(), flags);
-    // The test bench may hold the same helper functions as the design.
-    std::string link = std::string(HLSC_CLANG) + " -fuse-ld=lld -Wl,-z,muldefs" + objects_ + " -pthread -o " +
-                       shell_word((dir_ / "simulation").string());
-    std::string failure = failure_of(link, dir_ / "link.log");
-    if (failure.find("undefined symbol: main") != std::string::npos)
-      throw CompileError("no test bench has a main(); name the file that has it with --tb or tb.file");
-    if (!failure.empty()) throw CompileError("cannot link the co-simulation:\n" + failure);
-  }
-
-  void compile_source(const std::string& source, const std::string& flags) {
-    std::string object = shell_word((dir_ / (fs::path(source).stem().string() + ".o")).string());
-    std::string language = fs::path(source).extension() == ".c" ? " -x c -std=c17" : "";
-    run_or_throw(cxx() + flags + language + " -c " + shell_word(source) + " -o " + object,
-                 dir_ / "compile.log", "cannot compile " + source);
-    objects_ += " " + object;
+      if (entry.path().extension() == ".cpp") program.add(entry.path().string(), flags);
+    program.link();
   }
 
   static std::string verilator_root() {
@@ -198,7 +129,6 @@ class Simulation {
   const CosimOptions& cosim_;
   WorkDirectory work_;
   fs::path dir_, model_dir_;
-  std::string objects_;
 };
 
 }  // namespace

@@ -151,7 +151,7 @@ class ProgramReader : public clang::SemaConsumer, public clang::RecursiveASTVisi
     if (context.getDiagnostics().hasErrorOccurred()) return;
     mangler_.reset(context.createMangleContext());
     TraverseDecl(context.getTranslationUnitDecl());
-    check_language(context);
+    if (!options_.is_simulation) check_language(context);
   }
 
   bool VisitFunctionDecl(clang::FunctionDecl* function) {
@@ -253,13 +253,16 @@ std::vector<std::string> clang_arguments(const FrontendOptions& options, const s
   std::vector<std::string> arguments = {compiler};
   arguments.push_back("-std=" + (options.standard.empty() ? (is_c ? "c17" : "c++17") : options.standard));
   for (const char* fixed :
-       {"-c", "-O2", "-g", "-gcolumn-info", "-fno-exceptions", "-fno-rtti", "-fno-threadsafe-statics",
-        "-fno-discard-value-names", "-fno-vectorize", "-Wno-unknown-pragmas", "-Wno-unused-value",
-        "-Wno-everything", "-Werror=return-type", "-fwrapv", "-fno-math-errno", "-D__SYNTHESIS__",
-        "-D__FLOORLINE_HLSC__"})
+       {"-c", "-O2", "-g", "-gcolumn-info", "-fno-threadsafe-statics", "-fno-discard-value-names",
+        "-fno-vectorize", "-Wno-unknown-pragmas", "-Wno-unused-value", "-Wno-everything",
+        "-Werror=return-type", "-fwrapv", "-fno-math-errno"})
     arguments.push_back(fixed);
+  if (!options.is_simulation)
+    for (const char* fixed : {"-fno-exceptions", "-fno-rtti", "-D__SYNTHESIS__", "-D__FLOORLINE_HLSC__"})
+      arguments.push_back(fixed);
   for (const std::string& define : options.defines) arguments.push_back("-D" + define);
-  arguments.push_back("-isystem" HLSC_INCLUDE_DIR);
+  arguments.push_back(options.is_simulation ? "-isystem" HLSC_COSIM_DIR "/finite"
+                                            : "-isystem" HLSC_INCLUDE_DIR);
   arguments.push_back("-isystem" HLSC_TYPES_DIR);
   for (const std::string& dir : options.include_dirs) arguments.push_back("-I" + dir);
   arguments.push_back(file);
@@ -380,6 +383,7 @@ Program parse_program(const FrontendOptions& options) {
     throw CompileError("function '" + options.top +
                        "' has several overloads or instances; give the top a name of its own");
   program.top = tops[0];
+  if (options.is_simulation) return program;
   // Without native integer sizes LLVM narrows operations to the width that is needed, as hardware wants.
   program.module->setDataLayout("e-m:e-p270:32:32-p271:32:32-p272:64:64-i64:64-i128:128-f80:128-S128");
   return program;

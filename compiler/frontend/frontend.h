@@ -25,6 +25,7 @@ struct FrontendOptions {
   std::string standard;                     ///< As -std=; empty: c++17 for C++, c17 for C.
   std::string top;                          ///< Name of the top function, as written or qualified.
   std::vector<PlacedDirective> directives;  ///< From project files; those of the sources stand there.
+  bool is_simulation = false;  ///< Parse what C simulation with finite FIFOs runs: no __SYNTHESIS__.
 };
 
 /// A stream that a parameter is or holds.

@@ -16,7 +16,7 @@ const char* const kPragmaPrelude =
     "#ifdef __cplusplus\n"
     "extern \"C\"\n"
     "#endif\n"
-    "void __hls_pragma(const char*, const char*, const void*, ...);\n";
+    "__attribute__((nothrow)) void __hls_pragma(const char*, const char*, const void*, ...);\n";
 
 namespace {
 

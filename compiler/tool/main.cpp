@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "cosim/cosim.h"
+#include "cosim/csim.h"
 #include "report/write.h"
 #include "tool/compile.h"
 #include "tool/project_file.h"
@@ -84,6 +85,12 @@ void add_compile_options(CLI::App& command, hlsc::CompileOptions& options, Proje
   command.add_flag("--strict", options.strict, "make the first warning an error");
 }
 
+void add_test_bench(CLI::App& command, hlsc::CosimOptions& options) {
+  command.add_option("--tb", options.test_benches, "test bench, C++ or C, one file with main()")
+      ->check(CLI::ExistingFile);
+  command.add_option("--work", options.work_dir, "keep the generated files in this directory");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -100,23 +107,28 @@ int main(int argc, char** argv) {
   CLI::App* compile = app.add_subcommand("compile", "compile a top function to Verilog");
   add_compile_options(*compile, options, project);
   compile->add_option("-o,--output", output_dir, "directory for the Verilog files")->capture_default_str();
-  compile->add_option("--tap", options.taps, "a stream between the processes that gets outputs to look at it");
+  compile->add_option("--tap", options.taps,
+                      "a stream between the processes that gets outputs to look at it");
   std::string report_dir;
   compile->add_option("--report", report_dir,
                       "directory for report.txt, .json and .html; default: that of the Verilog files");
+  hlsc::CosimOptions cosim_options;
+  CLI::App* csim = app.add_subcommand("csim", "run a test bench against the sources");
+  add_compile_options(*csim, options, project);
+  add_test_bench(*csim, cosim_options);
+  bool finite_fifos = false;
+  csim->add_flag("--finite-fifos", finite_fifos, "streams hold as many elements as declared");
   CLI::App* cosim = app.add_subcommand("cosim", "run a test bench against the compiled Verilog");
   add_compile_options(*cosim, options, project);
-  hlsc::CosimOptions cosim_options;
-  cosim->add_option("--tb", cosim_options.test_benches, "test bench, C++ or C, one file with main()")
-      ->check(CLI::ExistingFile);
+  add_test_bench(*cosim, cosim_options);
   cosim->add_option("--stall", cosim_options.stall, "seed of random stalls on all streams; 0: none");
   cosim->add_option("--trace", cosim_options.trace, "write waves to this VCD file");
-  cosim->add_option("--work", cosim_options.work_dir, "keep the generated files in this directory");
   CLI11_PARSE(app, argc, argv);
   try {
     apply(project, options, cosim_options);
-    if (*cosim && cosim_options.test_benches.empty())
+    if (!*compile && cosim_options.test_benches.empty())
       throw hlsc::CompileError("there is no test bench; give --tb, or --config with tb.file");
+    if (*csim) return hlsc::simulate_in_c(options, cosim_options, finite_fifos);
     options.has_probes = cosim->parsed();
     hlsc::CompileResult result = hlsc::compile(options);
     for (const std::string& warning : result.diagnostics.warnings) std::cerr << warning << "\n";
