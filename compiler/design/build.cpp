@@ -106,6 +106,10 @@ void ProcessBuilder::read_loop(BasicBlock& block) {
   if (directive && directive->has("off")) return;
   process_.blocks[current_block_].is_loop = true;
   if (directive) process_.blocks[current_block_].wanted_ii = directive->integer("ii", 1);
+  const bool is_unrolled = loop_directive(*loop, "UNROLL").has_value();  // A step is several of the source's.
+  for (const Directive& claim : loop_directives(*loop, "DEPENDENCE"))
+    if (!is_unrolled || !claim.has("distance"))
+      process_.blocks[current_block_].claims.insert(claim.integer(kClaim, -1));
   if (DebugLoc start = loop->getStartLoc()) process_.blocks[current_block_].location = location_of(start);
 }
 

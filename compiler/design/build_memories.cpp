@@ -94,8 +94,7 @@ int ProcessBuilder::memory_of(MemoryObject& object, Value* pointer, size_t leaf,
   memory.name = names_.unique(object.leaf_names[leaf] + bank_suffix, "memory");
   memory.width = object.widths[leaf];
   memory.is_signed = object.signedness[leaf];
-  memory.between_iterations = independence(pointer, "inter");
-  memory.in_iteration = independence(pointer, "intra");
+  memory.claims = claims_of(pointer);
   memory.is_aggregate = object.is_aggregate;
   if (object.is_aggregate) {
     memory.name = names_.unique(object.name);
@@ -130,22 +129,30 @@ int ProcessBuilder::memory_of(MemoryObject& object, Value* pointer, size_t leaf,
 
 bool ProcessBuilder::is_constant_table(const GlobalVariable& global) { return global.isConstant(); }
 
-Independence ProcessBuilder::independence(Value* pointer, const char* type) {
-  Independence claimed;
+std::vector<DependenceClaim> ProcessBuilder::claims_of(Value* pointer) {
+  std::vector<DependenceClaim> claims;
   for (const ObjectDirective& entry : middle_.directives.of(pointer, "DEPENDENCE")) {
     const Directive& directive = entry.directive;
-    bool is_claim = (directive.has(type) || directive.text("type") == type) &&
-                    (directive.has("false") || directive.text("dependent") == "false");
-    if (!is_claim) continue;
-    auto names = [&](const char* direction) {
-      return directive.has(direction) || StringRef(directive.text("direction")).equals_insensitive(direction);
+    auto says = [&](const char* option, const char* word) {
+      return directive.has(word) || StringRef(directive.text(option)).equals_insensitive(word);
     };
-    bool names_none = !names("raw") && !names("war") && !names("waw");
-    claimed.read_after_write |= names_none || names("raw");
-    claimed.write_after_read |= names_none || names("war");
-    claimed.write_after_write |= names_none || names("waw");
+    bool is_false = says("dependent", "false");
+    DependenceClaim claim;
+    claim.number = directive.integer(kClaim, -1);
+    claim.in_iteration = says("type", "intra");
+    if (!is_false && (claim.in_iteration || !directive.has("distance")))
+      continue;  // "true" alone frees nothing
+    if (!claim.in_iteration && !says("type", "inter")) continue;
+    claim.distance = is_false ? 0 : directive.integer("distance", 1);
+    bool raw = says("direction", "raw"), war = says("direction", "war"), waw = says("direction", "waw");
+    if (raw || war || waw) {
+      claim.read_after_write = raw;
+      claim.write_after_read = war;
+      claim.write_after_write = waw;
+    }
+    claims.push_back(claim);
   }
-  return claimed;
+  return claims;
 }
 
 std::vector<APInt> ProcessBuilder::initial_words(GlobalVariable& global, const MemoryObject& object,

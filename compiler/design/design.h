@@ -92,15 +92,18 @@ enum class MemoryKind {
   kPort,       ///< Outside the module (ap_memory): as kRam.
 };
 
-/// What DEPENDENCE false claims: no access comes to the word of one before it in these orders.
-struct Independence {
-  bool read_after_write = false, write_after_read = false, write_after_write = false;
+/// DEPENDENCE: what accesses of an array in a loop do not have to do with each other.
+struct DependenceClaim {
+  int number = -1;            ///< One of the claims of the loops where it holds; -1: it holds in all.
+  bool in_iteration = false;  ///< It speaks of accesses of one iteration (intra), which never meet.
+  int distance =
+      0;  ///< inter: accesses of one word are at least so many iterations apart; 0: there are none.
+  bool read_after_write = true, write_after_read = true, write_after_write = true;  ///< What it speaks of.
 
-  bool of(OpKind first, OpKind second) const {
-    if (first == OpKind::kLoad) return write_after_read;
-    return second == OpKind::kLoad ? read_after_write : write_after_write;
+  bool covers(const Operation& early, const Operation& late) const {
+    if (late.kind == OpKind::kLoad) return read_after_write;
+    return early.kind == OpKind::kLoad ? write_after_read : write_after_write;
   }
-  bool claims_any() const { return read_after_write || write_after_read || write_after_write; }
 };
 
 struct Memory {
@@ -110,7 +113,7 @@ struct Memory {
   bool is_signed = false;  ///< How loads extend.
   uint64_t depth = 1;
   std::vector<llvm::APInt> initial;  ///< Static or constant contents; empty: undefined at start.
-  Independence between_iterations, in_iteration;
+  std::vector<DependenceClaim> claims;
   bool is_aggregate = false;  ///< A port whose words are whole structs, first member in the lowest bits.
   std::string aggregate;  ///< AGGREGATE on a local array of structs: name of the memory of whole elements.
   bool is_read = false, is_written = false;
@@ -166,7 +169,10 @@ struct Block {
   Terminator terminator;
   bool is_loop = false;  ///< Pipelined: jumps to itself.
   int wanted_ii = 0;     ///< 0: the least possible.
+  std::set<int> claims;  ///< Numbers of the claims of arrays that stand in this loop.
   SourceLocation location;
+
+  bool has(const DependenceClaim& claim) const { return claim.number < 0 || claims.count(claim.number); }
 };
 
 /// A loop of the source that is still one, pipelined or not.

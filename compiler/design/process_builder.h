@@ -120,8 +120,7 @@ class ProcessBuilder {
   static uint64_t bank_count(const Partition& partition, uint64_t size);
   int memory_of(MemoryObject& object, llvm::Value* pointer, size_t leaf, uint64_t bank);
   bool is_constant_table(const llvm::GlobalVariable& global);
-  /// What DEPENDENCE claims; `type`: inter or intra, as the pragma says it.
-  Independence independence(llvm::Value* pointer, const char* type);
+  std::vector<DependenceClaim> claims_of(llvm::Value* pointer);
   /// Contents of one bank; a single word stands for all words alike.
   std::vector<llvm::APInt> initial_words(llvm::GlobalVariable& global, const MemoryObject& object,
                                          size_t leaf, uint64_t bank, uint64_t depth);

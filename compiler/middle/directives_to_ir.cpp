@@ -221,7 +221,7 @@ std::string misuse_of(const std::string& kind, Value* object, Function& function
 
 /// Refuses numbers that mean nothing.
 void check_numbers(const Directive& directive, const SourceLocation& where) {
-  for (const char* option : {"factor", "depth", "ii", "dim"}) {
+  for (const char* option : {"factor", "depth", "ii", "dim", "distance"}) {
     if (!directive.has(option)) continue;
     long value = 0;
     try {
@@ -235,6 +235,14 @@ void check_numbers(const Directive& directive, const SourceLocation& where) {
       throw CompileError(where, std::string(option) + " of pragma '" + directive.kind +
                                     "' must be at least " + (takes_zero ? "0" : "1"));
   }
+}
+
+/// Notes in a DEPENDENCE and in the loops that it stands in the number by which these know it.
+void mark_claim(Marker& marker, LoopInfo& loops, size_t number) {
+  Loop* around = loops.getLoopFor(marker.call->getParent());
+  if (!around) return;
+  marker.directive.options[kClaim] = std::to_string(number);
+  for (Loop* loop : around->getLoopsInPreorder()) attach_to_loop(*loop, marker.directive);
 }
 
 }  // namespace
@@ -311,7 +319,11 @@ void unroll_inlined_loops(Module& module) {
 
 void resolve_object_directives(Module& module, DirectiveTable& table, Diagnostics& diagnostics) {
   for (Function& function : module) {
+    if (function.isDeclaration()) continue;
+    DominatorTree dominators(function);
+    LoopInfo loops(dominators);
     for (Marker& marker : markers_of(function)) {
+      if (marker.directive.kind == "DEPENDENCE") mark_claim(marker, loops, table.objects.size());
       ObjectDirective made = object_directive(marker);
       std::string misuse = misuse_of(made.directive.kind, made.object, function);
       if (!misuse.empty())
@@ -325,14 +337,20 @@ void resolve_object_directives(Module& module, DirectiveTable& table, Diagnostic
   }
 }
 
-std::optional<Directive> loop_directive(const Loop& loop, const std::string& kind) {
+std::vector<Directive> loop_directives(const Loop& loop, const std::string& kind) {
   MDNode* id = loop.getLoopID();
-  if (!id) return std::nullopt;
-  std::optional<Directive> found;
+  std::vector<Directive> found;
+  if (!id) return found;
   for (const MDOperand& operand : drop_begin(id->operands()))
     if (std::optional<Directive> directive = directive_of(operand); directive && directive->kind == kind)
-      found = directive;
+      found.push_back(*directive);
   return found;
+}
+
+std::optional<Directive> loop_directive(const Loop& loop, const std::string& kind) {
+  std::vector<Directive> found = loop_directives(loop, kind);
+  if (found.empty()) return std::nullopt;
+  return found.back();
 }
 
 MDNode* with_directive(MDNode* id, const Directive& directive, LLVMContext& context) {

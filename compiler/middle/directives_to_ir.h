@@ -53,14 +53,21 @@ struct DirectiveTable {
 /// Unknown pragmas become warnings. Runs on unoptimised IR, before inlining.
 void resolve_loop_directives(llvm::Module& module, DirectiveTable& table, Diagnostics& diagnostics);
 
-/// Loops that a call brought into a pipelined loop or function dissolve as those that stand there do, and so do
-/// loops that calculate real numbers of their counters, so that LLVM can. Runs after inlining.
+/// Loops that a call brought into a pipelined loop or function dissolve as those that stand there do, and so
+/// do loops that calculate real numbers of their counters, so that LLVM can. Runs after inlining.
 void unroll_inlined_loops(llvm::Module& module);
 
 /// Removes the markers with a variable. Runs after inlining, when each names the object itself.
 void resolve_object_directives(llvm::Module& module, DirectiveTable& table, Diagnostics& diagnostics);
 
-/// The directive of `kind` on a loop, if there is one.
+/// Option of a DEPENDENCE that stands in a loop: a number, which that loop and the loops in it have among
+/// their directives. One outside of loops holds in all.
+constexpr const char* kClaim = "claim";
+
+/// The directives of `kind` on a loop.
+std::vector<Directive> loop_directives(const llvm::Loop& loop, const std::string& kind);
+
+/// The last directive of `kind` on a loop, if there is one.
 std::optional<Directive> loop_directive(const llvm::Loop& loop, const std::string& kind);
 
 /// A loop's metadata with `directive` in place of the one of its kind.

@@ -211,6 +211,21 @@ class BlockScheduler {
     return distance == never ? 0 : static_cast<int>(std::min(distance, never));
   }
 
+  bool is_claimed_apart(const Operation& from, const Operation& to) const {
+    return block_.is_loop &&
+           llvm::any_of(process_.memories[from.object].claims, [&](const DependenceClaim& claim) {
+             return claim.in_iteration && block_.has(claim) && claim.covers(from, to);
+           });
+  }
+
+  /// As far as DEPENDENCE knows more than the subscripts tell.
+  int claimed_distance(const Operation& from, const Operation& to, int distance) const {
+    for (const DependenceClaim& claim : process_.memories[from.object].claims)
+      if (!claim.in_iteration && block_.has(claim) && claim.covers(from, to))
+        distance = claim.distance && distance ? std::max(distance, claim.distance) : 0;
+    return distance;
+  }
+
   bool differ_in_iteration(const Operation& a, const Operation& b) const {
     if (differ(a, b)) return true;
     Affine x = affine(a.operands[0]), y = affine(b.operands[0]);
@@ -235,12 +250,10 @@ class BlockScheduler {
         const Operation& second = process_[block_.operations[k]];
         if (!second.is_memory_access() || second.object != first.object) continue;
         if (first.kind == OpKind::kLoad && second.kind == OpKind::kLoad) continue;
-        const Memory& memory = process_.memories[first.object];
-        bool is_apart = (block_.is_loop && memory.in_iteration.of(first.kind, second.kind)) ||
-                        differ_in_iteration(first, second);
-        if (i < k && !is_apart) order(i, k, 0, gap(first, second, false));
-        if (!block_.is_loop || memory.between_iterations.of(first.kind, second.kind)) continue;
-        int distance = carried_distance(first, second);
+        if (i < k && !differ_in_iteration(first, second) && !is_claimed_apart(first, second))
+          order(i, k, 0, gap(first, second, false));
+        if (!block_.is_loop) continue;
+        int distance = claimed_distance(first, second, carried_distance(first, second));
         if (distance > 0) order(i, k, distance, gap(first, second, true));
       }
     }

@@ -14,10 +14,6 @@ std::string access_text(const Operation& op) {
   return (op.kind == OpKind::kLoad ? "the read at " : "the write at ") + op.location.text();
 }
 
-bool has_claims(const Memory& memory) {
-  return memory.between_iterations.claims_any() || memory.in_iteration.claims_any();
-}
-
 }  // namespace
 
 std::string probe_imports() {
@@ -79,7 +75,9 @@ std::string ProcessEmitter::probes() {
     if (is_loop(block)) {
       out << loop_probe(block);
       for (size_t memory = 0; memory < process_.memories.size(); ++memory)
-        if (has_claims(process_.memories[memory])) out << dependence_probe(block, memory);
+        if (llvm::any_of(process_.memories[memory].claims,
+                         [&](const DependenceClaim& claim) { return block_of(block).has(claim); }))
+          out << dependence_probe(block, memory);
     }
   return out.str();
 }
@@ -102,8 +100,8 @@ std::string ProcessEmitter::loop_probe(int block) {
 }
 
 /// Every access counts its iterations and notes for each word the last one in which it was there. An access
-/// that comes to a word which one of a later iteration, or one that follows in its own, has had before it is out
-/// of order. Iterations behind the last one are taken back, so it is told when the loop has ended.
+/// that comes to a word which one of a later iteration, or one that follows in its own, has had before it is
+/// out of order. Iterations behind the last one are taken back, so it is told when the loop has ended.
 std::string ProcessEmitter::dependence_probe(int block, int memory) {
   const std::vector<ValueId>& order = block_of(block).operations;
   auto place_of = [&](ValueId id) { return std::find(order.begin(), order.end(), id) - order.begin(); };
@@ -133,16 +131,17 @@ std::string ProcessEmitter::dependence_probe(int block, int memory) {
       if (early.kind == OpKind::kLoad && late.kind == OpKind::kLoad) continue;
       std::string other = stem + "_" + std::to_string(x) + "_last[" + address + "]",
                   pair = name + "_" + std::to_string(x);
-      bool precedes = place_of(users[x]) > place_of(users[y]) &&
-                      schedule_.start[users[x]] < schedule_.start[users[y]];
+      bool precedes =
+          place_of(users[x]) > place_of(users[y]) && schedule_.start[users[x]] < schedule_.start[users[y]];
       declared << "    int " << pair << "_distance = -1, " << pair << "_iteration = 0;\n";
       cleared << "            if (" << pair << "_distance >= 0 && " << pair << "_iteration < " << stem
               << "_ended)\n                hlsc_dependence($sformatf(\"%m\"), " << quoted(array.name) << ", "
               << quoted(access_text(early)) << ", " << quoted(access_text(late)) << ", " << pair
               << "_distance);\n            " << pair << "_distance = -1;\n";
-      told << "            if (" << taken << " && " << other << (precedes ? " >= " : " > ") << name << "_count && "
-           << pair << "_distance < 0) begin\n                " << pair << "_distance = " << other << " - " << name
-           << "_count;\n                " << pair << "_iteration = " << other << ";\n            end\n";
+      told << "            if (" << taken << " && " << other << (precedes ? " >= " : " > ") << name
+           << "_count && " << pair << "_distance < 0) begin\n                " << pair
+           << "_distance = " << other << " - " << name << "_count;\n                " << pair
+           << "_iteration = " << other << ";\n            end\n";
     }
     told << "            if (" << here << ") " << name << "_count = " << name << "_count + 1;\n";
   }
