@@ -17,8 +17,8 @@
 #ifndef FLOORLINE_HLS_OTSU_H
 #define FLOORLINE_HLS_OTSU_H
 
+#include "histogram.h"
 #include "hls_stream.h"
-#include "raster.h"
 #include "table.h"
 #include "types.h"
 
@@ -28,9 +28,9 @@ namespace otsu_scan {
 /// Widths for frames of up to MAX_PIXELS pixels.
 template <unsigned long MAX_PIXELS>
 struct Widths {
-  enum { COUNT = BitWidth<MAX_PIXELS>::value };
-  typedef ap_uint<COUNT> Count;              ///< q, N.
-  typedef ap_uint<COUNT + 8> Sum;            ///< s, S.
+  typedef typename HistogramTotals<MAX_PIXELS>::Count Count;  ///< q, N.
+  typedef typename HistogramTotals<MAX_PIXELS>::Sum Sum;      ///< s, S.
+  enum { COUNT = Count::width };
   typedef ap_uint<2 * COUNT - 2> Product;    ///< q (N - q) <= N^2 / 4.
   typedef ap_uint<2 * COUNT + 6> Deviation;  ///< d = q (N - q) times the distance of the class means.
 };
@@ -238,7 +238,7 @@ void otsu(hls::stream<Pixel>& in, hls::stream<Pixel>& out, hls::stream<Pixel>& t
   typedef Widths<MAX_WIDTH * MAX_HEIGHT> W;
   typedef typename W::Count Count;
   static_assert(W::Deviation::width <= 3 * LIMB_BITS, "MAX_WIDTH * MAX_HEIGHT must be below 2^22.");
-  static Count histogram[256];
+  static Count histogram[LEVELS];
 #pragma HLS RESOURCE variable = histogram core = RAM_S2P_BRAM
   static Pixel threshold = 0;
   thresholds.write(threshold);
@@ -247,44 +247,16 @@ void otsu(hls::stream<Pixel>& in, hls::stream<Pixel>& out, hls::stream<Pixel>& t
   static ap_uint<1> cleared = 0;
   if (!cleared) {
   CLEAR:
-    for (int level = 0; level < 256; ++level) {
+    for (int level = 0; level < LEVELS; ++level) {
 #pragma HLS PIPELINE II = 1
       histogram[level] = 0;
     }
   }
   cleared = 0;
 
-  // The bins of the last two pixels, newest first: their counts may still be on the way into the RAM. A
-  // cleared histogram holds 0 for pixel 0, so that is a true start.
-  Pixel pixel1 = 0, pixel2 = 0;
-  Count count1 = 0, count2 = 0;
-  Count total = 0;
-  typename W::Sum total_sum = 0;
-PIXELS:
-  for (RasterPosition<MAX_WIDTH, MAX_HEIGHT> at(width, height); at.inside; at.advance()) {
-#pragma HLS PIPELINE II = 1
-#pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT
-// True: a bin written by one of the last two pixels is not read but taken from count1 or count2.
-#pragma HLS DEPENDENCE variable = histogram inter RAW distance = 3 true
-    const Pixel pixel = in.read();
-    out.write(pixel);
-    Count count;
-    if (pixel == pixel1) {
-      count = count1;
-    } else if (pixel == pixel2) {
-      count = count2;
-    } else {
-      count = histogram[pixel];
-    }
-    count = count + 1;
-    histogram[pixel] = count;
-    pixel2 = pixel1;
-    count2 = count1;
-    pixel1 = pixel;
-    count1 = count;
-    total = total + 1;
-    total_sum = total_sum + pixel;
-  }
+  const HistogramTotals<MAX_WIDTH * MAX_HEIGHT> totals =
+      count_levels<MAX_WIDTH, MAX_HEIGHT>(in, out, histogram, width, height);
+  const Count total = totals.pixels;
 
   // Two steps a level, so that one logarithm does: first d, then q (N - q).
   const int WINDOW = 2 * (2 + 1) * LOGARITHM_ERROR;
@@ -294,7 +266,7 @@ PIXELS:
   bool occurs = false;  // the level does
   Count below = 0;
   ap_int<W::Deviation::width + 2> deviation = 0;
-  ap_int<W::Sum::width + 1> excess = total_sum;  // S - N t
+  ap_int<W::Sum::width + 1> excess = totals.sum;  // S - N t
   Logarithm deviation_logarithm = 0;
   ap_int<27> best_score = -(1 << 25);
 SCORES:

@@ -5,6 +5,7 @@ text comes from the same C++, but with that FPGA's delays, into build/synth/gene
 """
 
 import functools
+import pathlib
 import re
 import subprocess
 
@@ -41,25 +42,38 @@ def source(size, folder):
     return copy
 
 
-@functools.lru_cache
-def verilog(target, size):
-    """The folder of the accelerator's Verilog, relative to the root."""
+def compile_source(source, top, target, folder, options=()):
+    """Verilog of `source` in `folder`/rtl, which is returned relative to the root."""
     family, period = SCHEDULE[target]
+    folder.mkdir(parents=True, exist_ok=True)
+    if not COMPILER.exists():
+        fail("the compiler is not built; run 'cmake --preset release' and 'ninja -C build/release floorline-hlsc'.")
+    done = subprocess.run([COMPILER, "compile", source, "--top", top, *options, "-I", ROOT / "hls", "--std", "c++11", "--target", family,
+                           "--clock", period, "--strict", "-o", folder / "rtl", "--report", folder / "report"],
+                          cwd=ROOT, capture_output=True, text=True)
+    if done.returncode:
+        fail(f"the compiler refuses {source} for {target}: {done.stderr.strip()}")
+    return str((folder / "rtl").relative_to(ROOT))
+
+
+@functools.lru_cache
+def accelerator(target, size):
+    """The folder of the accelerator's Verilog, relative to the root."""
+    family = SCHEDULE[target][0]
     if size == VGA and family == "xc6v":
         return "rtl/generated"
     folder = FOLDER / f"{family}-{size[0]}x{size[1]}"
     folder.mkdir(parents=True, exist_ok=True)
-    if not COMPILER.exists():
-        fail("the compiler is not built; run 'cmake --preset release' and 'ninja -C build/release floorline-hlsc'.")
     taps = (ROOT / "hls/taps.txt").read_text().split()
-    done = subprocess.run([COMPILER, "compile", source(size, folder), "--top", "floorline_accelerator", "--tap", *taps, "-I", ROOT / "hls",
-                           "--std", "c++11", "--target", family, "--clock", period, "--strict", "-o", folder / "rtl", "--report", folder / "report"],
-                          cwd=ROOT, capture_output=True, text=True)
-    if done.returncode:
-        fail(f"the compiler refuses {size[0]}x{size[1]} for {target}: {done.stderr.strip()}")
-    return str((folder / "rtl").relative_to(ROOT))
+    return compile_source(source(size, folder), "floorline_accelerator", target, folder, ["--tap", *taps])
 
 
 def located(pattern, target, size):
-    """A pattern of designs.yaml with the folder of the compiled Verilog in the place of GENERATED."""
-    return pattern.replace("GENERATED", verilog(target, size)) if "GENERATED" in pattern else pattern
+    """A pattern of designs.yaml: with the folder of the accelerator's Verilog in the place of GENERATED; of a C++ file, the Verilog of the
+    function that is called as the file is."""
+    if "GENERATED" in pattern:
+        return pattern.replace("GENERATED", accelerator(target, size))
+    kernel = pathlib.Path(pattern)
+    if kernel.suffix == ".cpp":
+        return compile_source(kernel, kernel.stem, target, FOLDER / f"{SCHEDULE[target][0]}-{kernel.stem}") + "/*.v"
+    return pattern

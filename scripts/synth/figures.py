@@ -9,7 +9,7 @@ import power
 import tables
 
 SEEDS = 5
-KERNELS = ("gaussian", "erode", "polar")  # those that are also written by hand, in bench/handwritten
+KERNELS = ("gaussian", "erode", "polar", "histogram")  # those that are also written by hand, in bench/handwritten
 
 
 def figure(name, value, relation, bound):

@@ -9,9 +9,11 @@
 
 #include "Verode_handwritten.h"
 #include "Vgaussian_handwritten.h"
+#include "Vhistogram_handwritten.h"
 #include "Vpolar_handwritten.h"
 #include "erode.h"
 #include "gaussian.h"
+#include "histogram.h"
 #include "polar.h"
 
 namespace floorline {
@@ -118,6 +120,47 @@ TEST_P(Handwritten, erode_gives_the_bits_of_the_kernel) {
     const FrameRun run = run_frame(model, in, frame, frame < 2 ? 0.0 : 0.3);
     EXPECT_EQ(run.out, expected);
     if (frame < 2) EXPECT_LE(run.cycles, width * height + (erode_high ? width : 0) + 8);
+  }
+}
+
+TEST_P(Handwritten, histogram_gives_the_bits_of_the_kernel) {
+  const auto [width, height] = GetParam();
+  Vhistogram_handwritten model;
+  reset(model);
+  model.width = width;
+  model.height = height;
+  for (unsigned frame = 0; frame < 4; ++frame) {
+    // Few levels, so that many come again within two pixels.
+    const std::vector<unsigned> in = random_elements(width * height, frame < 2 ? 3 : 255, frame);
+    hls::stream<Pixel> input("input"), output("output");
+    HistogramTotals<640 * 480>::Count bins[LEVELS] = {};
+    for (unsigned value : in) input.write(value);
+    count_levels<640, 480>(input, output, bins, width, height);
+    std::vector<unsigned> expected;
+    for (const auto& bin : bins) expected.push_back(bin.to_uint());
+
+    std::mt19937 random(frame);
+    std::bernoulli_distribution stalls(frame == 0 ? 0.0 : 0.3);
+    std::vector<unsigned> passed, counts;
+    long cycles = 0;
+    model.ap_start = 1;
+    for (bool done = false; !done && cycles < 100000; ++cycles) {
+      model.in_empty_n = passed.size() < in.size() && !stalls(random);
+      model.in_dout = model.in_empty_n ? in[passed.size()] : 0;
+      model.out_full_n = !stalls(random);
+      model.counts_full_n = !stalls(random);
+      model.clk = 0;
+      model.eval();
+      if (model.out_write && model.out_full_n) passed.push_back(model.out_din);
+      if (model.counts_write && model.counts_full_n) counts.push_back(model.counts_din);
+      done = model.ap_done;
+      if (model.ap_ready) model.ap_start = 0;
+      model.clk = 1;
+      model.eval();
+    }
+    EXPECT_EQ(passed, in);
+    EXPECT_EQ(counts, expected) << "frame " << frame;
+    if (frame == 0) EXPECT_LE(cycles, width * height + 2 * LEVELS + 8);
   }
 }
 
