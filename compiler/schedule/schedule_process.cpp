@@ -99,7 +99,8 @@ class BlockScheduler {
             is_far(op) ? options_.target.registers + 2 * options_.target.logic : options_.target.memory;
       }
       if (op.is_memory_access() && is_far(op)) node.tail = options_.target.reach;
-      if (op.kind == OpKind::kStore && !is_far(op) && node.resource >= 0) node.tail = options_.target.enable;
+      if (op.kind == OpKind::kStore && op.predicate != kNoValue && !is_far(op) && node.resource >= 0)
+        node.tail = options_.target.enable;
       if (op.is_stream_access()) node.tail = options_.target.stall;
       if (id == block_.terminator.condition && !block_.is_loop) node.tail = options_.target.enable;
       node.bits = op.has_result() && op.kind != OpKind::kConstant && op.kind != OpKind::kInput ? op.bits : 0;
