@@ -1,12 +1,11 @@
 /// Polar histogram, triangle scores and contact points along Bresenham lines (ICVS paper, algorithm 1, eq.
 /// 17-18).
 ///
-/// One time-multiplexed engine walks all lines: while row v streams into one half of a two-row buffer, every
-/// line takes its step in row v - 1, one line a clock. A step covers the run of columns that Bresenham's
-/// algorithm gives the line in that row (run-slice form, LineSetup): steep lines one pixel, shallow ones
-/// several.
+/// One time-multiplexed engine walks all lines: while row v streams into a ring of columns, every line takes
+/// its step in row v - 1, one line a clock. A step covers the run of columns that Bresenham's algorithm gives
+/// the line in that row (run-slice form, LineSetup): steep lines one pixel, shallow ones several.
 ///
-/// Per column the buffer holds what a step needs, so that a run of any length costs two reads:
+/// Per column the ring holds what a step needs, so that a run of any length costs two reads:
 ///   before  high bits in the columns left of this one (running count), so the high bits in columns [a, b]
 ///   are
 ///           before(b) + high(b) - before(a);
@@ -233,9 +232,12 @@ void polar(hls::stream<Mask>& mask, hls::stream<Motion>& motions, hls::stream<Co
            const RuleParameters& rule, const LineSetup lines[MAX_LINES]) {
   static_assert(MAX_LINES <= 256, "LineIndex holds 8 bits: at most 256 lines");
   using namespace polar_engine;
-  // Row v lies in half v & 1. Two copies, one for each end of a run.
-  static Summary left_columns[MAX_WIDTH][2];
-  static Summary right_columns[MAX_WIDTH][2];
+  // A row, and as much of the next one as streams in until the last line has taken its step. Column u of row
+  // v lies at v * width + u, modulo the ring. Two copies, one for each end of a run.
+  typedef ap_uint<BitWidth<MAX_WIDTH + MAX_LINES + LINE_SLACK - 1>::value> RingIndex;
+  const int RING_COLUMNS = 1 << RingIndex::width;
+  static Summary left_columns[RING_COLUMNS];
+  static Summary right_columns[RING_COLUMNS];
   static LineState states[MAX_LINES];
 #pragma HLS AGGREGATE variable = left_columns
 #pragma HLS AGGREGATE variable = right_columns
@@ -248,6 +250,8 @@ void polar(hls::stream<Mask>& mask, hls::stream<Motion>& motions, hls::stream<Co
   const Size last_step = tail - 1;
   Taps taps = {};
   Size high_before = 0;
+  RingIndex centre = -REACH;
+  RingIndex row_start = -width;  // of the row before the one that comes in
 
   if (walked == 0) {
     const LineCount none = {0, 0, 1};
@@ -273,27 +277,24 @@ CYCLES:
       pixel = (motions.read(), bits);
     }
     shift(taps, pixel);
-    const bool row_before = at.u < REACH;
-    const Size centre = row_before ? Size(width + at.u - REACH) : Size(at.u - REACH);
-    const ap_uint<1> centre_half = at.v[0] ^ ap_uint<1>(row_before);
     const Sample middle = taps.pixel[REACH];
     const Summary summary = {high_before, ap_uint<1>(middle[1]), window_sum(taps, at.u, rule.run_rule),
                              Motion(middle.range(3, 2))};
-    left_columns[centre][centre_half] = summary;
-    right_columns[centre][centre_half] = summary;
+    left_columns[centre] = summary;
+    right_columns[centre] = summary;
+    centre = centre + 1;
     high_before = at.u == REACH - 1 ? Size(0) : Size(high_before + summary.high);
 
     // The row before, one line.
     const Size row = at.v - 1;
-    const ap_uint<1> half = row[0];
     if (at.v != 0 && at.u >= LINE_DELAY && at.u < tail) {
       const LineIndex index = at.u - LINE_DELAY;
       const LineSetup line = lines[index];
       const Step step = walk(line, states[index], row);
       LineState next = step.next;
       if (row >= line.first_row && row <= line.last_row) {
-        const Summary left = left_columns[clamp_column(step.left, width)][half];
-        const Summary right = right_columns[clamp_column(step.right, width)][half];
+        const Summary left = left_columns[RingIndex(row_start + clamp_column(step.left, width))];
+        const Summary right = right_columns[RingIndex(row_start + clamp_column(step.right, width))];
         const bool in_image = step.left < width && step.right >= 0;
         if (in_image) next.count += right.before + right.high - left.before;
         const Summary first = line.leftward ? right : left;
@@ -312,6 +313,7 @@ CYCLES:
         counts.write(count);
       }
     }
+    if (at.at_row_end()) row_start = row_start + width;
     if (!streaming && at.u == last_step) steps_wait = false;
   }
 

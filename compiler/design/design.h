@@ -117,11 +117,12 @@ struct Memory {
   bool is_aggregate = false;  ///< A port whose words are whole structs, first member in the lowest bits.
   std::string aggregate;  ///< AGGREGATE on a local array of structs: name of the memory of whole elements.
   bool is_read = false, is_written = false;
-  unsigned load_latency = 1;  ///< Cycles: 0 registers and logic, 1 RAM, more: a far_ram.
-  int argument = -1;          ///< Of a port: index of the parameter.
-  int llvm_argument = -1;     ///< As in Stream.
-  uint64_t byte_offset = 0;   ///< Of a port: the leaf's place in an element.
-  uint64_t stride = 0;        ///< Of a port: bytes from word to word in C++.
+  unsigned load_latency = 1;    ///< Cycles: 0 registers and logic, 1 RAM, more: a far_ram.
+  bool is_block_table = false;  ///< Of a ROM: it lies in block RAM.
+  int argument = -1;            ///< Of a port: index of the parameter.
+  int llvm_argument = -1;       ///< As in Stream.
+  uint64_t byte_offset = 0;     ///< Of a port: the leaf's place in an element.
+  uint64_t stride = 0;          ///< Of a port: bytes from word to word in C++.
   SourceLocation location;
 
   /// Or may: nobody told.

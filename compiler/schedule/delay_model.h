@@ -25,6 +25,7 @@ struct Target {
   unsigned multiplier_wide, multiplier_narrow;  ///< Signed operand widths of a multiplier block.
   bool adds_products;    ///< A multiplier block also adds another's product; else wide products are split.
   unsigned block_words;  ///< A RAM of more words is a far_ram (rtl/lib); 0: none is.
+  unsigned table_bits;   ///< A table of so many bits lies in block RAM; below, logic is less or nearer.
   int least_fifo;        ///< Words of the smallest FIFO; that of one word lets m_ready through to s_ready.
   double reach;          ///< From logic to the registers before the blocks of a far_ram, ns.
 };
@@ -37,6 +38,9 @@ constexpr unsigned kFarRead = 6;
 
 /// Whether this memory is a far_ram, as it spans several blocks in depth.
 bool is_far(const Target& target, const Memory& memory);
+
+/// Whether a table lies in block RAM.
+bool is_block_table(const Target& target, const Memory& memory);
 
 /// Delay from the operands of `operation` to its result, ns.
 double delay_of(const Target& target, const Process& process, const Operation& operation);

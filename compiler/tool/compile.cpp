@@ -113,8 +113,10 @@ class Compilation {
     remove_dead(process);
     join_aggregates(process, result_.diagnostics);
     tell("simplify", process);
-    for (Memory& memory : process.memories)
+    for (Memory& memory : process.memories) {
       if (is_far(target, memory)) memory.load_latency = kFarRead;
+      memory.is_block_table = is_block_table(target, memory);
+    }
     CompiledProcess made{process, schedule_process(process, schedule_options_, result_.diagnostics)};
     tell("schedule", made.process, &made.schedule);
     return made;

@@ -4,15 +4,8 @@
 namespace hlsc {
 namespace {
 
-/// Tables from this size on lie in block RAM; below, the logic costs less.
-constexpr uint64_t kBlockTableBits = 4096;
-
 /// Address bits of the longest RAM that Virtex-6 makes without logic: two RAMB36E1 in cascade hold 64K x 1.
 constexpr unsigned kCascadeAddress = 16;
-
-bool is_block_rom(const Memory& memory) {
-  return memory.kind == MemoryKind::kRom && memory.depth * memory.width >= kBlockTableBits;
-}
 
 /// The elements of a concatenation, the last one in the highest bits.
 std::string last_first(const std::map<int, std::string>& elements) {
@@ -91,7 +84,7 @@ void ProcessEmitter::emit_ram(const Memory& memory, const std::vector<ValueId>& 
   }
   std::string array = names_.unique(name + "_words"), q = names_.unique(name + "_read");
   // What a read of the word being written gives is never used: the scheduler keeps both apart.
-  std::string attribute = is_block_rom(memory) ? "ram_style = \"block\"" : "no_rw_check";
+  std::string attribute = memory.is_block_table ? "ram_style = \"block\"" : "no_rw_check";
   bodies_ << "\n    (* " << attribute << " *)\n    reg" << range_text(memory.width) << " " << array
           << " [0:" << memory.depth - 1 << "];\n    reg" << range_text(memory.width) << " " << q
           << ";\n    assign " << name << "_q = " << q << ";\n";

@@ -217,7 +217,7 @@ module birdseye (
     assign while_2_front_ce = while_2_ce & ~((while_2_active[0] & test & ~contacts_empty_n));
 
 
-    (* no_rw_check *)
+    (* ram_style = "block" *)
     reg [30:0] word_words [0:127];
     reg [30:0] word_read;
     assign word_q = word_read;

@@ -467,7 +467,7 @@ module frame_ring (
     assign for_2_front_ce = for_2_ce & ~((for_2_active[0] & ~in_empty_n));
 
 
-    (* no_rw_check *)
+    (* ram_style = "block" *)
     reg [30:0] word_words [0:127];
     reg [30:0] word_read;
     assign word_q = word_read;
