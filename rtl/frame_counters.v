@@ -54,68 +54,64 @@ module frame_counters #(
         end
     end
 
-    // Cycles and stalls from start to start.
-    reg [WIDTH-1:0] cycles_reg;
-    reg [WIDTH-1:0] input_stalls_reg;
-    reg [WIDTH-1:0] output_stalls_reg;
+    // Cycles and stalls from start to start. A stall is counted one cycle later, so that counters start at 0.
+    reg [WIDTH-1:0]  cycles_reg;
+    reg              input_stalled_reg;
+    reg              output_stalled_reg;
+    reg [WIDTH-1:0]  input_stalls_reg;   // but for input_stalled_reg
+    reg [WIDTH-1:0]  output_stalls_reg;
+    wire [WIDTH-1:0] all_input_stalls  = input_stalls_reg + {{WIDTH-1{1'b0}}, input_stalled_reg};
+    wire [WIDTH-1:0] all_output_stalls = output_stalls_reg + {{WIDTH-1{1'b0}}, output_stalled_reg};
 
     always @(posedge clk) begin
-        cycles_reg        <= frame_start ? {{WIDTH-1{1'b0}}, 1'b1} : cycles_reg + 1'b1;
-        input_stalls_reg  <= (frame_start ? {WIDTH{1'b0}} : input_stalls_reg) + {{WIDTH-1{1'b0}}, input_stalled};
-        output_stalls_reg <= (frame_start ? {WIDTH{1'b0}} : output_stalls_reg) + {{WIDTH-1{1'b0}}, output_stalled};
+        cycles_reg         <= cycles_reg + 1'b1;
+        input_stalled_reg  <= input_stalled;
+        output_stalled_reg <= output_stalled;
+        input_stalls_reg   <= all_input_stalls;
+        output_stalls_reg  <= all_output_stalls;
         if (frame_start) begin
-            frame_cycles  <= cycles_reg;
-            input_stalls  <= input_stalls_reg;
-            output_stalls <= output_stalls_reg;
-        end
-        if (rst) begin
-            cycles_reg        <= {WIDTH{1'b0}};
+            cycles_reg        <= {{WIDTH-1{1'b0}}, 1'b1};
             input_stalls_reg  <= {WIDTH{1'b0}};
             output_stalls_reg <= {WIDTH{1'b0}};
-            frame_cycles      <= {WIDTH{1'b0}};
-            input_stalls      <= {WIDTH{1'b0}};
-            output_stalls     <= {WIDTH{1'b0}};
+            frame_cycles      <= cycles_reg;
+            input_stalls      <= all_input_stalls;
+            output_stalls     <= all_output_stalls;
+        end
+        if (rst) begin
+            cycles_reg         <= {WIDTH{1'b0}};
+            input_stalled_reg  <= 1'b0;
+            output_stalled_reg <= 1'b0;
+            input_stalls_reg   <= {WIDTH{1'b0}};
+            output_stalls_reg  <= {WIDTH{1'b0}};
+            frame_cycles       <= {WIDTH{1'b0}};
+            input_stalls       <= {WIDTH{1'b0}};
+            output_stalls      <= {WIDTH{1'b0}};
         end
     end
 
     // Latencies. Up to four frames are between input and points; time_reg runs on, and what belongs to a frame waits in a queue.
     reg  [WIDTH-1:0]    time_reg;
     reg  [SIZE_WIDTH:0] lines_reg;      // lines taken, modulo 2^(SIZE_WIDTH + 1)
-    reg  [SIZE_WIDTH:0] base_reg;       // lines_reg at the start of the frame whose points leave
     reg                 first_reg;      // the next pixel is the first of its frame
     reg                 answered_reg;   // the frame whose points leave has had its first point
     reg  [WIDTH-1:0]    decision_reg;   // greatest latency so far
     wire [WIDTH-1:0]    first_time;     // when the first pixel of that frame was taken
-    wire [SIZE_WIDTH:0] next_base;
+    wire [SIZE_WIDTH:0] first_line;     // lines_reg then
 
-    // frame_start waits for room in queues no deeper than these, so their handshakes need no look.
-    wire [3:0]          unused_handshakes;
+    // frame_start waits for room in queues no deeper than this, so its handshake needs no look.
+    wire [1:0]          unused_handshake;
 
     fifo #(
-        .WIDTH(WIDTH),
+        .WIDTH(WIDTH + SIZE_WIDTH + 1),
         .DEPTH(5)
-    ) first_times (
+    ) first_pixels (
         .clk    (clk),
         .rst    (rst),
-        .s_data (time_reg),
+        .s_data ({time_reg, lines_reg}),
         .s_valid(pixel && first_reg),
-        .s_ready(unused_handshakes[0]),
-        .m_data (first_time),
-        .m_valid(unused_handshakes[1]),
-        .m_ready(point && point_end)
-    );
-
-    fifo #(
-        .WIDTH(SIZE_WIDTH + 1),
-        .DEPTH(5)
-    ) bases (
-        .clk    (clk),
-        .rst    (rst),
-        .s_data (lines_reg + 1'b1),
-        .s_valid(frame_done),
-        .s_ready(unused_handshakes[2]),
-        .m_data (next_base),
-        .m_valid(unused_handshakes[3]),
+        .s_ready(unused_handshake[0]),
+        .m_data ({first_time, first_line}),
+        .m_valid(unused_handshake[1]),
         .m_ready(point && point_end)
     );
 
@@ -147,7 +143,6 @@ module frame_counters #(
 
     // The oldest of the 16 may be overwritten on the way.
     wire                 remembered = (lines_ago_reg != 0) && (lines_ago_reg < 16);
-    wire [WIDTH-1:0]     greatest   = (measure_reg && latency_reg > decision_reg) ? latency_reg : decision_reg;
 
     always @(posedge clk) begin
         time_reg <= time_reg + 1'b1;
@@ -164,13 +159,11 @@ module frame_counters #(
             answered_reg <= !point_end;
             if (!answered_reg)
                 first_result_latency <= time_reg - first_time;
-            if (point_end)
-                base_reg <= next_base;
         end
 
         last_row_reg     <= height - 1'b1;
         wanted_row_reg   <= {1'b0, point_row} + {1'b0, rows_to_decide};
-        lines_back_reg   <= lines_reg - base_reg;
+        lines_back_reg   <= lines_reg - first_line;
         newest_reg       <= lines_reg[3:0];
         deciding_row_reg <= (wanted_row_reg > {1'b0, last_row_reg}) ? {1'b0, last_row_reg} : wanted_row_reg;
         lines_back_2_reg <= lines_back_reg;
@@ -185,15 +178,18 @@ module frame_counters #(
         ended_reg        <= {ended_reg[STEPS-1:0], point && point_end};
         known_reg        <= point_reg[STEPS-2] && remembered;
         measure_reg      <= known_reg;
-        decision_reg     <= ended_reg[STEPS] ? {WIDTH{1'b0}} : greatest;
-        if (ended_reg[STEPS])
-            decision_latency <= greatest;
+        // The end of a frame is no point, so that both do not meet.
+        if (measure_reg && latency_reg > decision_reg)
+            decision_reg <= latency_reg;
+        if (ended_reg[STEPS]) begin
+            decision_reg     <= {WIDTH{1'b0}};
+            decision_latency <= decision_reg;
+        end
 
         if (rst) begin
             time_reg       <= {WIDTH{1'b0}};
             point_time_reg <= {WIDTH{1'b0}} - STEPS[WIDTH-1:0];
             lines_reg      <= {SIZE_WIDTH+1{1'b0}};
-            base_reg       <= {SIZE_WIDTH+1{1'b0}};
             decision_reg   <= {WIDTH{1'b0}};
             answered_reg   <= 1'b0;
             point_reg      <= {STEPS-1{1'b0}};

@@ -30,7 +30,14 @@ module result_stream #(
     output wire             empty
 );
 
-    wire malformed, malformed_known;
+    // Verdicts wait with the newest in bit 0; waiting_reg has as many ones from bit 0 on as there are.
+    localparam FRAMES = 4;  // whose results may be outstanding
+
+    reg [FRAMES-1:0] malformed_reg;
+    reg [FRAMES-1:0] waiting_reg;
+
+    wire malformed = waiting_reg[3] ? malformed_reg[3] : waiting_reg[2] ? malformed_reg[2] : waiting_reg[1] ? malformed_reg[1] : malformed_reg[0];
+    wire malformed_known = waiting_reg[0];
     wire last    = s_tdata[END_BIT];
     wire allowed = !last || malformed_known;
 
@@ -39,21 +46,21 @@ module result_stream #(
     assign m_axis_tuser  = last && malformed;
     assign m_axis_tlast  = last;
     assign m_axis_tvalid = s_tvalid && allowed;
-    assign empty         = !malformed_known;
+    assign empty         = !waiting_reg[0];
+    assign room          = !waiting_reg[FRAMES-1];
 
-    fifo #(
-        .WIDTH(1),
-        .DEPTH(4)
-    ) verdicts (
-        .clk    (clk),
-        .rst    (rst),
-        .s_data (frame_malformed),
-        .s_valid(frame_done),
-        .s_ready(room),
-        .m_data (malformed),
-        .m_valid(malformed_known),
-        .m_ready(m_axis_tvalid && m_axis_tready && last)
-    );
+    wire ends = m_axis_tvalid && m_axis_tready && last;
+
+    always @(posedge clk) begin
+        if (frame_done)
+            malformed_reg <= {malformed_reg[FRAMES-2:0], frame_malformed};
+        if (frame_done && !ends)
+            waiting_reg <= {waiting_reg[FRAMES-2:0], 1'b1};
+        else if (ends && !frame_done)
+            waiting_reg <= waiting_reg >> 1;
+        if (rst)
+            waiting_reg <= {FRAMES{1'b0}};
+    end
 
 endmodule
 
