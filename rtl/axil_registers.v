@@ -95,7 +95,6 @@ module axil_registers (
     wire         write_strobe;
     wire [10:0]  write_address;
     wire [31:0]  write_data;
-    wire         read_strobe;
     wire [10:0]  read_address;
 
     // Word addresses: 10 the line table, else 9:6 = 0 registers, 9:6 = 1 frame parameters.
@@ -109,10 +108,10 @@ module axil_registers (
     reg          loading_reg;
     reg          reading_store_reg;  // a cycle after loading_reg: a read of the host that had begun is over
     reg [5:0]    load_index_reg;
-    reg [31:0]   register_data_reg;
-    reg [31:0]   store_data_reg;
-    reg          from_store_reg;
-    reg          read_mapped_reg;
+    reg [31:0]   register_word;      // what the host reads
+    wire [31:0]  store_word;
+    wire         read_mapped = read_address[10:7] == 4'd0 &&
+                               read_address[5:0] <= (read_address[6] ? 6'd38 : 6'd16);
 
     axil_slave #(
         .ADDRESS_WIDTH(13)
@@ -141,10 +140,9 @@ module axil_registers (
         .write_data    (write_data),
         .write_error   (!write_mapped),
         .read_hold     (loading_reg),
-        .read_strobe   (read_strobe),
         .read_address  (read_address),
-        .read_data     (from_store_reg ? store_data_reg : register_data_reg),
-        .read_error    (!read_mapped_reg)
+        .read_data     (read_address[6] ? store_word : register_word),
+        .read_error    (!read_mapped)
     );
 
     assign line_write         = write_strobe && in_lines;
@@ -178,30 +176,26 @@ module axil_registers (
         end
     end
 
-    // Reads: registers and store answer in the cycle after the strobe.
-    always @(posedge clk) begin
-        from_store_reg  <= read_address[6];
-        read_mapped_reg <= read_address[10:7] == 4'd0 &&
-                           read_address[5:0] <= (read_address[6] ? 6'd38 : 6'd16);
+    always @* begin
         case (read_address[5:0])
-            6'd0: register_data_reg <= 32'h464c5231;
-            6'd1: register_data_reg <= 32'h00000100;
-            6'd2: register_data_reg <= {4'd0, limits};
-            6'd3: register_data_reg <= {31'd0, control_reg};
-            6'd4: register_data_reg <= {30'd0, update_reg};
-            6'd5: register_data_reg <= {25'd0, interrupt_enable_reg};
-            6'd6: register_data_reg <= {25'd0, interrupt_status_reg};
-            6'd7: register_data_reg <= frames;
-            6'd8: register_data_reg <= {8'd0, malformed_frames};
-            6'd9: register_data_reg <= {8'd0, dropped_frames};
-            6'd10: register_data_reg <= {8'd0, frame_cycles};
-            6'd11: register_data_reg <= {8'd0, input_stalls};
-            6'd12: register_data_reg <= {8'd0, output_stalls};
-            6'd13: register_data_reg <= {8'd0, first_result_latency};
-            6'd14: register_data_reg <= {8'd0, decision_latency};
-            6'd15: register_data_reg <= {8'd0, null_pixels};
-            6'd16: register_data_reg <= {24'd0, threshold_used};
-            default: register_data_reg <= 32'd0;
+            6'd0: register_word = 32'h464c5231;
+            6'd1: register_word = 32'h00000100;
+            6'd2: register_word = {4'd0, limits};
+            6'd3: register_word = {31'd0, control_reg};
+            6'd4: register_word = {30'd0, update_reg};
+            6'd5: register_word = {25'd0, interrupt_enable_reg};
+            6'd6: register_word = {25'd0, interrupt_status_reg};
+            6'd7: register_word = frames;
+            6'd8: register_word = {8'd0, malformed_frames};
+            6'd9: register_word = {8'd0, dropped_frames};
+            6'd10: register_word = {8'd0, frame_cycles};
+            6'd11: register_word = {8'd0, input_stalls};
+            6'd12: register_word = {8'd0, output_stalls};
+            6'd13: register_word = {8'd0, first_result_latency};
+            6'd14: register_word = {8'd0, decision_latency};
+            6'd15: register_word = {8'd0, null_pixels};
+            6'd16: register_word = {24'd0, threshold_used};
+            default: register_word = 32'd0;
         endcase
     end
 
@@ -209,23 +203,21 @@ module axil_registers (
     (* ram_style = "distributed" *)
     reg [31:0] store [0:63];
 
-    always @(posedge clk) begin
+    always @(posedge clk)
         if (write_strobe && in_parameters)
             store[write_index] <= write_data;
-        if (read_strobe || reading_store_reg)
-            store_data_reg <= store[reading_store_reg ? load_index_reg : read_address[5:0]];
-    end
+    assign store_word = store[reading_store_reg ? load_index_reg : read_address[5:0]];
 
-    // Loading: the word of load_index_reg is in store_data_reg one cycle later, in loaded_index_reg's.
-    reg       loaded_reg;
-    reg [5:0] loaded_index_reg;
+    // Loading: the word of load_index_reg is in loaded_word_reg one cycle later, when the parameter's bit of loaded_reg is 1.
+    reg [38:0] loaded_reg;
+    reg [31:0] loaded_word_reg;
 
     always @(posedge clk) begin
         reading_store_reg <= loading_reg && !(reading_store_reg && load_index_reg == 6'd38);
         load_index_reg    <= reading_store_reg ? load_index_reg + 1'b1 : 6'd0;
-        loaded_reg        <= reading_store_reg;
-        loaded_index_reg  <= load_index_reg;
-        load_done         <= loaded_reg && loaded_index_reg == 6'd38;
+        loaded_reg        <= {loaded_reg[37:0], reading_store_reg && load_index_reg == 6'd0};
+        loaded_word_reg   <= store_word;
+        load_done         <= loaded_reg[38];
         if (load)
             loading_reg <= 1'b1;
         else if (reading_store_reg && load_index_reg == 6'd38)
@@ -234,7 +226,7 @@ module axil_registers (
         if (rst) begin
             loading_reg       <= 1'b0;
             reading_store_reg <= 1'b0;
-            loaded_reg        <= 1'b0;
+            loaded_reg        <= 39'd0;
             load_done         <= 1'b0;
         end
     end
@@ -321,50 +313,84 @@ module axil_registers (
     assign rule_min_lines = rule_min_lines_reg;
 
     always @(posedge clk) begin
-        if (loaded_reg) begin
-            case (loaded_index_reg)
-                6'd0: width_reg <= store_data_reg[11:0];
-                6'd1: height_reg <= store_data_reg[11:0];
-                6'd2: grey_reg <= store_data_reg[0];
-                6'd3: replace_reference_reg <= store_data_reg[0];
-                6'd4: erode_high_reg <= store_data_reg[0];
-                6'd5: roi_first_row_reg <= store_data_reg[11:0];
-                6'd6: roi_last_row_reg <= store_data_reg[11:0];
-                6'd7: line_count_reg <= store_data_reg[8:0];
-                6'd8: cluster_gap_reg <= store_data_reg[23:0];
-                6'd9: homography_xu_reg <= store_data_reg;
-                6'd10: homography_xv_reg <= store_data_reg;
-                6'd11: homography_x1_reg <= store_data_reg;
-                6'd12: homography_yu_reg <= store_data_reg;
-                6'd13: homography_yv_reg <= store_data_reg;
-                6'd14: homography_y1_reg <= store_data_reg;
-                6'd15: homography_zu_reg <= store_data_reg;
-                6'd16: homography_zv_reg <= store_data_reg;
-                6'd17: homography_z1_reg <= store_data_reg;
-                6'd18: birdseye_xu_reg <= store_data_reg;
-                6'd19: birdseye_xv_reg <= store_data_reg;
-                6'd20: birdseye_x1_reg <= store_data_reg;
-                6'd21: birdseye_yu_reg <= store_data_reg;
-                6'd22: birdseye_yv_reg <= store_data_reg;
-                6'd23: birdseye_y1_reg <= store_data_reg;
-                6'd24: birdseye_zu_reg <= store_data_reg;
-                6'd25: birdseye_zv_reg <= store_data_reg;
-                6'd26: birdseye_z1_reg <= store_data_reg;
-                6'd27: threshold_floor_reg <= store_data_reg[7:0];
-                6'd28: threshold_override_high_reg <= store_data_reg[7:0];
-                6'd29: threshold_low_reg <= store_data_reg[7:0];
-                6'd30: displacement_noise_reg <= store_data_reg[7:0];
-                6'd31: displacement_bound_reg <= store_data_reg[23:0];
-                6'd32: displacement_bound_step_reg <= store_data_reg[23:0];
-                6'd33: rule_run_rule_reg <= store_data_reg[0];
-                6'd34: rule_min_rows_reg <= store_data_reg[11:0];
-                6'd35: rule_max_gap_reg <= store_data_reg[11:0];
-                6'd36: rule_horizon_row_reg <= store_data_reg[12:0];
-                6'd37: rule_height_ratio_reg <= store_data_reg[9:0];
-                6'd38: rule_min_lines_reg <= store_data_reg[7:0];
-                default: ;
-            endcase
-        end
+        if (loaded_reg[0])
+            width_reg <= loaded_word_reg[11:0];
+        if (loaded_reg[1])
+            height_reg <= loaded_word_reg[11:0];
+        if (loaded_reg[2])
+            grey_reg <= loaded_word_reg[0];
+        if (loaded_reg[3])
+            replace_reference_reg <= loaded_word_reg[0];
+        if (loaded_reg[4])
+            erode_high_reg <= loaded_word_reg[0];
+        if (loaded_reg[5])
+            roi_first_row_reg <= loaded_word_reg[11:0];
+        if (loaded_reg[6])
+            roi_last_row_reg <= loaded_word_reg[11:0];
+        if (loaded_reg[7])
+            line_count_reg <= loaded_word_reg[8:0];
+        if (loaded_reg[8])
+            cluster_gap_reg <= loaded_word_reg[23:0];
+        if (loaded_reg[9])
+            homography_xu_reg <= loaded_word_reg;
+        if (loaded_reg[10])
+            homography_xv_reg <= loaded_word_reg;
+        if (loaded_reg[11])
+            homography_x1_reg <= loaded_word_reg;
+        if (loaded_reg[12])
+            homography_yu_reg <= loaded_word_reg;
+        if (loaded_reg[13])
+            homography_yv_reg <= loaded_word_reg;
+        if (loaded_reg[14])
+            homography_y1_reg <= loaded_word_reg;
+        if (loaded_reg[15])
+            homography_zu_reg <= loaded_word_reg;
+        if (loaded_reg[16])
+            homography_zv_reg <= loaded_word_reg;
+        if (loaded_reg[17])
+            homography_z1_reg <= loaded_word_reg;
+        if (loaded_reg[18])
+            birdseye_xu_reg <= loaded_word_reg;
+        if (loaded_reg[19])
+            birdseye_xv_reg <= loaded_word_reg;
+        if (loaded_reg[20])
+            birdseye_x1_reg <= loaded_word_reg;
+        if (loaded_reg[21])
+            birdseye_yu_reg <= loaded_word_reg;
+        if (loaded_reg[22])
+            birdseye_yv_reg <= loaded_word_reg;
+        if (loaded_reg[23])
+            birdseye_y1_reg <= loaded_word_reg;
+        if (loaded_reg[24])
+            birdseye_zu_reg <= loaded_word_reg;
+        if (loaded_reg[25])
+            birdseye_zv_reg <= loaded_word_reg;
+        if (loaded_reg[26])
+            birdseye_z1_reg <= loaded_word_reg;
+        if (loaded_reg[27])
+            threshold_floor_reg <= loaded_word_reg[7:0];
+        if (loaded_reg[28])
+            threshold_override_high_reg <= loaded_word_reg[7:0];
+        if (loaded_reg[29])
+            threshold_low_reg <= loaded_word_reg[7:0];
+        if (loaded_reg[30])
+            displacement_noise_reg <= loaded_word_reg[7:0];
+        if (loaded_reg[31])
+            displacement_bound_reg <= loaded_word_reg[23:0];
+        if (loaded_reg[32])
+            displacement_bound_step_reg <= loaded_word_reg[23:0];
+        if (loaded_reg[33])
+            rule_run_rule_reg <= loaded_word_reg[0];
+        if (loaded_reg[34])
+            rule_min_rows_reg <= loaded_word_reg[11:0];
+        if (loaded_reg[35])
+            rule_max_gap_reg <= loaded_word_reg[11:0];
+        if (loaded_reg[36])
+            rule_horizon_row_reg <= loaded_word_reg[12:0];
+        if (loaded_reg[37])
+            rule_height_ratio_reg <= loaded_word_reg[9:0];
+        if (loaded_reg[38])
+            rule_min_lines_reg <= loaded_word_reg[7:0];
     end
 
 endmodule

@@ -1,10 +1,10 @@
-// AXI4-Lite slave: turns the five channels into one write and one read strobe for a register file.
+// AXI4-Lite slave: turns the five channels into a write strobe and a read address for a register file whose reads have no effect.
 //
 // Writes: write_strobe is 1 for one cycle with address and data; write_error is looked at in that cycle. A write whose WSTRB is
 // not 1111, or whose address is not that of a word, is answered with SLVERR and gives no strobe: registers are written whole.
-// Reads: read_address is valid in the cycle of read_strobe; read_data and read_error are looked at one cycle later. An address
-// that is not that of a word is answered with SLVERR, too.
-// One transaction of each kind at a time, three cycles a write, four a read. Every output comes from a register.
+// Reads: read_data and read_error are looked at while the address is there. An address that is not that of a word is answered with
+// SLVERR, too.
+// One transaction of each kind at a time, three cycles each. Every output comes from a register.
 
 `default_nettype none
 
@@ -36,8 +36,7 @@ module axil_slave #(
     output wire [ADDRESS_WIDTH-3:0] write_address,  // of a word
     output wire [31:0]              write_data,
     input  wire                     write_error,
-    input  wire                     read_hold,      // no read starts in the cycle after; one that has started goes on
-    output wire                     read_strobe,
+    input  wire                     read_hold,      // no read is answered in the cycle after
     output wire [ADDRESS_WIDTH-3:0] read_address,   // of a word
     input  wire [31:0]              read_data,
     input  wire                     read_error
@@ -51,8 +50,6 @@ module axil_slave #(
     reg        write_failed_reg;
     reg        bvalid_reg;
     reg        read_ready_reg;   // the address is taken in this cycle
-    reg        reading_reg;      // the register file answers in this cycle
-    reg        unaligned_reg;
     reg        read_failed_reg;
     reg        rvalid_reg;
     reg [31:0] rdata_reg;
@@ -71,7 +68,6 @@ module axil_slave #(
     assign write_strobe  = write_ready_reg && whole_word_reg;
     assign write_address = s_axil_awaddr[ADDRESS_WIDTH-1:2];
     assign write_data    = s_axil_wdata;
-    assign read_strobe   = read_ready_reg;
     assign read_address  = s_axil_araddr[ADDRESS_WIDTH-1:2];
 
     always @(posedge clk) begin
@@ -84,12 +80,10 @@ module axil_slave #(
             bvalid_reg       <= 1'b0;
         end
 
-        read_ready_reg <= s_axil_arvalid && !read_hold && !read_ready_reg && !reading_reg && !rvalid_reg;
-        reading_reg    <= read_ready_reg;
-        unaligned_reg  <= (s_axil_araddr[1:0] != 2'b00);
-        if (reading_reg) begin
+        read_ready_reg <= s_axil_arvalid && !read_hold && !read_ready_reg && !rvalid_reg;
+        if (read_ready_reg) begin
             rdata_reg       <= read_data;
-            read_failed_reg <= read_error || unaligned_reg;
+            read_failed_reg <= read_error || (s_axil_araddr[1:0] != 2'b00);
             rvalid_reg      <= 1'b1;
         end else if (s_axil_rready) begin
             rvalid_reg      <= 1'b0;
@@ -99,7 +93,6 @@ module axil_slave #(
             write_ready_reg <= 1'b0;
             bvalid_reg      <= 1'b0;
             read_ready_reg  <= 1'b0;
-            reading_reg     <= 1'b0;
             rvalid_reg      <= 1'b0;
         end
     end

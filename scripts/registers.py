@@ -143,7 +143,6 @@ module axil_registers (
     wire         write_strobe;
     wire [{address_bits - 3}:0]  write_address;
     wire [31:0]  write_data;
-    wire         read_strobe;
     wire [{address_bits - 3}:0]  read_address;
 
     // Word addresses: 10 the line table, else 9:6 = 0 registers, 9:6 = 1 frame parameters.
@@ -157,10 +156,10 @@ module axil_registers (
     reg          loading_reg;
     reg          reading_store_reg;  // a cycle after loading_reg: a read of the host that had begun is over
     reg [5:0]    load_index_reg;
-    reg [31:0]   register_data_reg;
-    reg [31:0]   store_data_reg;
-    reg          from_store_reg;
-    reg          read_mapped_reg;
+    reg [31:0]   register_word;      // what the host reads
+    wire [31:0]  store_word;
+    wire         read_mapped = read_address[10:7] == 4'd0 &&
+                               read_address[5:0] <= (read_address[6] ? 6'd{last} : 6'd{len(registers) - 1});
 
     axil_slave #(
         .ADDRESS_WIDTH({address_bits})
@@ -189,10 +188,9 @@ module axil_registers (
         .write_data    (write_data),
         .write_error   (!write_mapped),
         .read_hold     (loading_reg),
-        .read_strobe   (read_strobe),
         .read_address  (read_address),
-        .read_data     (from_store_reg ? store_data_reg : register_data_reg),
-        .read_error    (!read_mapped_reg)
+        .read_data     (read_address[6] ? store_word : register_word),
+        .read_error    (!read_mapped)
     );
 
     assign line_write         = write_strobe && in_lines;
@@ -227,15 +225,11 @@ module axil_registers (
         end
     end
 
-    // Reads: registers and store answer in the cycle after the strobe.
-    always @(posedge clk) begin
-        from_store_reg  <= read_address[6];
-        read_mapped_reg <= read_address[10:7] == 4'd0 &&
+    always @* begin
 """)
-    lines.append(f"                           read_address[5:0] <= (read_address[6] ? 6'd{last} : 6'd{len(registers) - 1});\n")
     lines.append("        case (read_address[5:0])\n")
-    lines += [f"            6'd{r['offset'] // 4}: register_data_reg <= {register_value(r)};\n" for r in registers]
-    lines.append(f"""            default: register_data_reg <= 32'd0;
+    lines += [f"            6'd{r['offset'] // 4}: register_word = {register_value(r)};\n" for r in registers]
+    lines.append(f"""            default: register_word = 32'd0;
         endcase
     end
 
@@ -243,23 +237,21 @@ module axil_registers (
     (* ram_style = "distributed" *)
     reg [31:0] store [0:63];
 
-    always @(posedge clk) begin
+    always @(posedge clk)
         if (write_strobe && in_parameters)
             store[write_index] <= write_data;
-        if (read_strobe || reading_store_reg)
-            store_data_reg <= store[reading_store_reg ? load_index_reg : read_address[5:0]];
-    end
+    assign store_word = store[reading_store_reg ? load_index_reg : read_address[5:0]];
 
-    // Loading: the word of load_index_reg is in store_data_reg one cycle later, in loaded_index_reg's.
-    reg       loaded_reg;
-    reg [5:0] loaded_index_reg;
+    // Loading: the word of load_index_reg is in loaded_word_reg one cycle later, when the parameter's bit of loaded_reg is 1.
+    reg [{last}:0] loaded_reg;
+    reg [31:0] loaded_word_reg;
 
     always @(posedge clk) begin
         reading_store_reg <= loading_reg && !(reading_store_reg && load_index_reg == 6'd{last});
         load_index_reg    <= reading_store_reg ? load_index_reg + 1'b1 : 6'd0;
-        loaded_reg        <= reading_store_reg;
-        loaded_index_reg  <= load_index_reg;
-        load_done         <= loaded_reg && loaded_index_reg == 6'd{last};
+        loaded_reg        <= {{loaded_reg[{last - 1}:0], reading_store_reg && load_index_reg == 6'd0}};
+        loaded_word_reg   <= store_word;
+        load_done         <= loaded_reg[{last}];
         if (load)
             loading_reg <= 1'b1;
         else if (reading_store_reg && load_index_reg == 6'd{last})
@@ -268,7 +260,7 @@ module axil_registers (
         if (rst) begin
             loading_reg       <= 1'b0;
             reading_store_reg <= 1'b0;
-            loaded_reg        <= 1'b0;
+            loaded_reg        <= {last + 1}'d0;
             load_done         <= 1'b0;
         end
     end
@@ -279,14 +271,11 @@ module axil_registers (
     lines += [f"    reg {vector(p['bits']):{width}} {p['name'].lower()}_reg;\n" for p in parameters]
     lines.append("\n")
     lines += [f"    assign {p['name'].lower()} = {p['name'].lower()}_reg;\n" for p in parameters]
-    lines.append("\n    always @(posedge clk) begin\n        if (loaded_reg) begin\n            case (loaded_index_reg)\n")
+    lines.append("\n    always @(posedge clk) begin\n")
     for index, p in enumerate(parameters):
         bits = f"[{p['bits'] - 1}:0]" if 1 < p["bits"] < 32 else "[0]" if p["bits"] == 1 else ""
-        lines.append(f"                6'd{index}: {p['name'].lower()}_reg <= store_data_reg{bits};\n")
-    lines.append("""                default: ;
-            endcase
-        end
-    end
+        lines.append(f"        if (loaded_reg[{index}])\n            {p['name'].lower()}_reg <= loaded_word_reg{bits};\n")
+    lines.append("""    end
 
 endmodule
 

@@ -22,7 +22,7 @@ module axil_slave_proof (
     input wire       read_hold
 );
 
-    wire        awready, wready, bvalid, arready, rvalid, write_strobe, read_strobe;
+    wire        awready, wready, bvalid, arready, rvalid, write_strobe;
     wire [1:0]  bresp, rresp, write_address, read_address;
     wire [31:0] rdata, write_data;
 
@@ -34,7 +34,7 @@ module axil_slave_proof (
         .s_axil_araddr(araddr), .s_axil_arvalid(arvalid), .s_axil_arready(arready),
         .s_axil_rdata(rdata), .s_axil_rresp(rresp), .s_axil_rvalid(rvalid), .s_axil_rready(rready),
         .write_strobe(write_strobe), .write_address(write_address), .write_data(write_data), .write_error(write_error),
-        .read_hold(read_hold), .read_strobe(read_strobe), .read_address(read_address), .read_data({30'd0, read_data}),
+        .read_hold(read_hold), .read_address(read_address), .read_data({30'd0, read_data}),
         .read_error(read_error)
     );
 
@@ -47,9 +47,7 @@ module axil_slave_proof (
     reg [3:0] past_araddr;
     reg [1:0] past_bresp, past_rresp, past_rdata;
     reg       owed_b, owed_r;       // transactions taken and not yet answered
-    reg       expected_bresp, expected_unaligned;
-    reg       just_read;            // the register file's answer is due in this cycle
-    reg       expected_rresp;
+    reg       expected_bresp, expected_rresp;
     reg [1:0] expected_rdata;
     reg [2:0] write_wait, read_wait;
 
@@ -71,12 +69,9 @@ module axil_slave_proof (
         owed_r <= !rst && ((arvalid && arready) || (owed_r && !(rvalid && rready)));
         if (awvalid && awready)
             expected_bresp <= !good_write || write_error;
-        just_read <= arvalid && arready;
-        if (arvalid && arready)
-            expected_unaligned <= (araddr[1:0] != 2'b00);
-        if (just_read) begin
+        if (arvalid && arready) begin
             expected_rdata <= read_data;
-            expected_rresp <= read_error || expected_unaligned;
+            expected_rresp <= read_error || (araddr[1:0] != 2'b00);
         end
         write_wait <= (!rst && awvalid && wvalid && !awready && !past_bwaits) ? write_wait + 1'b1 : 3'd0;
         read_wait  <= (!rst && arvalid && !arready && !past_rwaits && !read_hold) ? read_wait + 1'b1 : 3'd0;
@@ -101,16 +96,14 @@ module axil_slave_proof (
             assert (!(awvalid && awready) || !owed_b || (bvalid && bready));
             assert (!(arvalid && arready) || !owed_r || (rvalid && rready));
             assert (bvalid == owed_b);
-            assert (!rvalid || owed_r);
-            assert (!owed_r || rvalid || just_read);
+            assert (rvalid == owed_r);
             assert (write_strobe == (awvalid && awready && good_write));
             assert (!write_strobe || (write_address == awaddr[3:2] && write_data == {30'd0, wdata}));
-            assert (read_strobe == (arvalid && arready));
-            assert (!read_strobe || read_address == araddr[3:2]);
+            assert (!(arvalid && arready) || read_address == araddr[3:2]);
             assert (!bvalid || bresp == {expected_bresp, 1'b0});
             assert (!rvalid || (rresp == {expected_rresp, 1'b0} && rdata == {30'd0, expected_rdata}));
             assert (write_wait < 3'd4);
-            assert (read_wait < 3'd5);
+            assert (read_wait < 3'd4);
             cover (rvalid && rready && past_rwaits && bvalid && bready && bresp == 2'b00);
         end
     end
