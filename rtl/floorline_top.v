@@ -341,7 +341,6 @@ module floorline_top #(
     wire                  lines_enable;
     wire [110:0]          lines_data;
     wire                  unused_done, unused_idle;
-    wire [31:0]           valid_map = {32{!reference_lost_reg}};  // Z = 0: no pixel of the reference is valid
 
     `FLOORLINE_CORE core (
         .ap_clk                                  (aclk),
@@ -398,9 +397,10 @@ module floorline_top #(
         .parameters_homography_yu_V              (homography_yu),
         .parameters_homography_yv_V              (homography_yv),
         .parameters_homography_y1_V              (homography_y1),
-        .parameters_homography_zu_V              (homography_zu & valid_map),
-        .parameters_homography_zv_V              (homography_zv & valid_map),
-        .parameters_homography_z1_V              (homography_z1 & valid_map),
+        // Z = 0: no pixel of the reference is valid. A choice of 0, as it becomes the reset of the core's registers.
+        .parameters_homography_zu_V              (reference_lost_reg ? 32'd0 : homography_zu),
+        .parameters_homography_zv_V              (reference_lost_reg ? 32'd0 : homography_zv),
+        .parameters_homography_z1_V              (reference_lost_reg ? 32'd0 : homography_z1),
         .parameters_birdseye_xu_V                (birdseye_xu),
         .parameters_birdseye_xv_V                (birdseye_xv),
         .parameters_birdseye_x1_V                (birdseye_x1),
