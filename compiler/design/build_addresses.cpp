@@ -140,7 +140,10 @@ ProcessBuilder::Place ProcessBuilder::place_of(const Address& address, const Ins
     if (is_block && count > 1) block = block_of(address.values[d], words);
     ValueId quotient =
         block ? constant_value(APInt(64, *block)) : divided(subscript, is_block ? words : count, access);
-    ValueId remainder = remainder_of(subscript, is_block ? words : count, access);
+    std::optional<uint64_t> lane;
+    if (!is_block && count > 1) lane = lane_of(address.values[d], count);
+    ValueId remainder =
+        lane ? constant_value(APInt(64, *lane)) : remainder_of(subscript, is_block ? words : count, access);
     result.bank = combined(result.bank, count, is_block ? quotient : remainder, access);
     result.address = combined(result.address, words, is_block ? remainder : quotient, access);
     result.banks *= count;
@@ -153,6 +156,13 @@ std::optional<uint64_t> ProcessBuilder::block_of(Value* subscript, uint64_t word
   uint64_t first = range.getUnsignedMin().udiv(words).getZExtValue(),
            last = range.getUnsignedMax().udiv(words).getZExtValue();
   return first == last ? std::optional(first) : std::nullopt;
+}
+
+std::optional<uint64_t> ProcessBuilder::lane_of(Value* subscript, uint64_t banks) {
+  if (!isPowerOf2_64(banks)) return std::nullopt;
+  KnownBits known = computeKnownBits(subscript, layout_);
+  if ((known.Zero | known.One).countr_one() < Log2_64(banks)) return std::nullopt;
+  return known.One.getLoBits(Log2_64(banks)).getZExtValue();
 }
 
 ValueId ProcessBuilder::combined(ValueId outer, uint64_t size, ValueId inner, const Instruction& access) {

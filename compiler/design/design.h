@@ -115,7 +115,8 @@ struct Memory {
   std::vector<llvm::APInt> initial;  ///< Static or constant contents; empty: undefined at start.
   std::vector<DependenceClaim> claims;
   bool is_aggregate = false;  ///< A port whose words are whole structs, first member in the lowest bits.
-  std::string aggregate;  ///< AGGREGATE on a local array of structs: name of the memory of whole elements.
+  bool is_copied = false;  ///< It has a copy, or is one (copy_memory.h).
+  std::string aggregate;   ///< AGGREGATE on a local array of structs: name of the memory of whole elements.
   bool is_read = false, is_written = false;
   unsigned load_latency = 1;    ///< Cycles: 0 registers and logic, 1 RAM, more: a far_ram.
   bool is_block_table = false;  ///< Of a ROM: it lies in block RAM.

@@ -138,6 +138,8 @@ class ProcessBuilder {
   /// The block of `words` elements that a subscript always lies in: i + 8, with i below 8, is in block 1
   /// of 8.
   std::optional<uint64_t> block_of(llvm::Value* subscript, uint64_t words);
+  /// The bank of a cyclic partition, when the subscript's low bits tell it: counters by steps of the factor.
+  std::optional<uint64_t> lane_of(llvm::Value* subscript, uint64_t banks);
   ValueId remainder_of(ValueId value, uint64_t divisor, const llvm::Instruction& access);
 
   // Loads and stores (build_accesses.cpp)

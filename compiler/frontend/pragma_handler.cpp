@@ -29,10 +29,11 @@ bool is_numeric_option(llvm::StringRef key) {
 
 using Tokens = llvm::SmallVector<clang::Token, 16>;
 
-/// Whether the next token begins the body of a for or while loop.
+/// Where the next token stands: whether it begins the body of a for or while loop, or a member of a class.
 class LoopHeads {
  public:
   void see(const clang::Token& token) {
+    see_brace(token);
     at_body_ = false;
     if (token.is(clang::tok::l_paren)) {
       open_.push_back(is_head_);
@@ -45,10 +46,24 @@ class LoopHeads {
     if (token.is(clang::tok::kw_if)) passes_on_body_ = false;
   }
   bool at_body() const { return at_body_; }
+  /// Between the members of a class.
+  bool in_class() const { return !braces_.empty() && braces_.back(); }
   /// The next `if` is a pragma's: what follows its condition is still the loop's body.
   void pass_on_body() { passes_on_body_ = true; }
 
  private:
+  /// A brace behind `class`, `struct` or `union` and no parameters is a class's.
+  void see_brace(const clang::Token& token) {
+    if (token.isOneOf(clang::tok::kw_class, clang::tok::kw_struct, clang::tok::kw_union)) names_class_ = true;
+    if (token.isOneOf(clang::tok::kw_enum, clang::tok::l_paren)) is_other_ = true;
+    if (token.is(clang::tok::l_brace)) braces_.push_back(names_class_ && !is_other_);
+    if (token.is(clang::tok::r_brace) && !braces_.empty()) braces_.pop_back();
+    if (token.isOneOf(clang::tok::l_brace, clang::tok::r_brace, clang::tok::semi))
+      names_class_ = is_other_ = false;
+  }
+
+  std::vector<bool> braces_;  ///< Open ones; true: of a class.
+  bool names_class_ = false, is_other_ = false;
   std::vector<bool> open_;  ///< Parentheses; true: of a loop's head.
   bool is_head_ = false, at_body_ = false, passes_on_body_ = false;
 };
@@ -64,6 +79,14 @@ class HlsPragmaHandler : public clang::PragmaHandler {
     clang::Token token;
     for (preprocessor.Lex(token); token.isNot(clang::tok::eod); preprocessor.Lex(token))
       line.push_back(token);
+    if (heads_->in_class()) {
+      clang::DiagnosticsEngine& diagnostics = preprocessor.getDiagnostics();
+      diagnostics.Report(first.getLocation(),
+                         diagnostics.getCustomDiagID(clang::DiagnosticsEngine::Error,
+                                                     "a pragma has no effect between the members of a class; "
+                                                     "move it into the constructor or a member function"));
+      return;
+    }
     Tokens call = marker_call(preprocessor, line, first.getLocation());
     inject(preprocessor, heads_->at_body() ? before_body(preprocessor, call, first.getLocation())
                                            : as_statement(call, first.getLocation()));

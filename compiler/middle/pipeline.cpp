@@ -32,6 +32,7 @@
 #include <llvm/Transforms/Utils/LoopUtils.h>
 
 #include "middle/array_access.h"
+#include "middle/array_initialisers.h"
 #include "middle/dataflow_regions.h"
 #include "middle/flatten.h"
 #include "middle/host_calls.h"
@@ -474,6 +475,7 @@ MiddleResult run_middle(Program& program, const LoopChoice& keeps_apart, bool in
     optimizer.inline_all();
     optimizer.promote_locals();
   }
+  restore_array_types(module);
   unroll_inlined_loops(module);
   expand_remaining_copies(program);
   resolve_object_directives(module, result.directives, diagnostics);

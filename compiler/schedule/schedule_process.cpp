@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 
 #include "schedule/problem.h"
 
@@ -9,6 +10,8 @@ namespace hlsc {
 namespace {
 
 constexpr int kMaxIi = 256;
+constexpr int kDeepestAddress = 8;     ///< Operations in each other that are looked through.
+constexpr unsigned kWideAddress = 20;  ///< Bits that no loop's counter runs through.
 
 /// Resources of a process: a read and a write port per memory, one access a cycle per stream.
 class Resources {
@@ -23,6 +26,12 @@ class Resources {
     return index({op.kind == OpKind::kLoad ? 1 : 2, op.object});
   }
   int count() const { return indices_.size(); }
+  /// The memory whose read port the resource is; -1: another resource.
+  int memory_read(int resource) const {
+    for (const auto& [key, value] : indices_)
+      if (value == resource && key.first == 1) return key.second;
+    return -1;
+  }
   std::string name(const Process& process, int resource) const {
     for (const auto& [key, value] : indices_) {
       if (value != resource) continue;
@@ -65,7 +74,10 @@ class BlockScheduler {
       problem_.ii = wanted;
       summary.wanted_ii = wanted;
       while (!solve(problem_, schedule, failure)) {
-        if (summary.limit.empty()) summary.limit = explain(failure);
+        if (summary.limit.empty()) {
+          summary.limit = explain(failure);
+          summary.limiting_memory = resources_.memory_read(failure.resource);
+        }
         if (++problem_.ii > kMaxIi)
           throw CompileError(block_.location, "the loop has no schedule with an II up to " +
                                                   std::to_string(kMaxIi) + ": " + summary.limit);
@@ -154,28 +166,57 @@ class BlockScheduler {
            x.constant.getZExtValue() != y.constant.getZExtValue();
   }
 
-  /// The phi that an address counts with a constant step, and its offset: address = phi + offset.
+  /// An address as a sum: scale * phi + offset + values that are the same in every iteration.
   struct Affine {
+    bool is_known = false;  ///< It is such a sum.
     ValueId phi = kNoValue;
-    int64_t offset = 0;
+    int64_t scale = 0, offset = 0;
+    std::map<ValueId, int64_t> invariants;  ///< By value: its factor.
+
+    /// Whether both differ by a constant in an iteration.
+    bool is_parallel(const Affine& other) const {
+      return is_known && other.is_known && phi == other.phi && scale == other.scale &&
+             invariants == other.invariants;
+    }
   };
   Affine affine(ValueId id) const {
     Affine form;
-    for (int depth = 0; depth < 8; ++depth) {
-      const Operation& op = process_[id];
-      if (op.kind == OpKind::kPhi && node_.count(id)) {
-        form.phi = id;
-        return form;
-      }
-      bool is_cast = op.kind == OpKind::kZExt || op.kind == OpKind::kSExt;
-      bool adds_constant = op.kind == OpKind::kAdd && process_[op.operands[1]].kind == OpKind::kConstant;
-      if (adds_constant)
-        form.offset += process_[op.operands[1]].constant.getSExtValue();
-      else if (!is_cast)
-        return {};
-      id = op.operands[0];
+    form.is_known = add_terms(id, 1, form, 0);
+    return form;
+  }
+
+  bool add_terms(ValueId id, int64_t scale, Affine& form, int depth) const {
+    const Operation& op = process_[id];
+    bool is_leaf = depth > kDeepestAddress, is_inside = node_.count(id);
+    std::optional<int64_t> factor = is_leaf ? std::nullopt : constant_factor(op);
+    if (op.kind == OpKind::kConstant) {
+      form.offset += scale * op.constant.getSExtValue();
+    } else if (!is_leaf && op.kind == OpKind::kAdd) {
+      return add_terms(op.operands[0], scale, form, depth + 1) &&
+             add_terms(op.operands[1], scale, form, depth + 1);
+    } else if (factor) {
+      return add_terms(op.operands[0], scale * *factor, form, depth + 1);
+    } else if (!is_inside) {
+      form.invariants[id] += scale;
+    } else if (op.kind == OpKind::kPhi && (form.phi == kNoValue || form.phi == id)) {
+      form.phi = id;
+      form.scale += scale;
+    } else {
+      return false;
     }
-    return {};
+    return true;
+  }
+
+  /// By what an operation multiplies its first operand, if by a small constant.
+  std::optional<int64_t> constant_factor(const Operation& op) const {
+    if (op.kind == OpKind::kZExt || op.kind == OpKind::kSExt) return 1;
+    if ((op.kind != OpKind::kShl && op.kind != OpKind::kMul) || op.type_width < kWideAddress)
+      return std::nullopt;
+    const Operation& right = process_[op.operands[1]];
+    if (right.kind != OpKind::kConstant) return std::nullopt;
+    uint64_t number = right.constant.getLimitedValue(), limit = uint64_t{1} << kWideAddress;
+    if (op.kind == OpKind::kShl) number = number < kWideAddress ? uint64_t{1} << number : limit;
+    return number < limit ? std::optional<int64_t>(number) : std::nullopt;
   }
 
   /// Step per iteration of a phi that counts, or 0.
@@ -184,7 +225,7 @@ class BlockScheduler {
     for (size_t k = 0; k < op.operands.size(); ++k) {
       if (block_.predecessors[k] != block_id_) continue;
       Affine next = affine(op.operands[k]);
-      return next.phi == phi ? next.offset : 0;
+      return next.is_known && next.phi == phi && next.scale == 1 && next.invariants.empty() ? next.offset : 0;
     }
     return 0;
   }
@@ -193,8 +234,10 @@ class BlockScheduler {
   int carried_distance(const Operation& from, const Operation& to) const {
     if (differ(from, to)) return 0;
     Affine a = affine(from.operands[0]), b = affine(to.operands[0]);
-    if (a.phi == kNoValue || a.phi != b.phi) return 1;
-    int64_t step = step_of(a.phi);
+    if (a.phi == kNoValue || !a.is_parallel(b)) return 1;
+    unsigned width = process_[a.phi].type_width;
+    if (a.scale != 1 && width < kWideAddress) return 1;
+    int64_t step = step_of(a.phi) * a.scale;
     if (step == 0) return 1;
     // phi + a == (phi + d * step) + b, exactly or modulo the counter's width.
     int64_t gap = a.offset - b.offset;
@@ -204,8 +247,7 @@ class BlockScheduler {
     }
     const int64_t never = int64_t{1} << 20;
     int64_t distance = gap % step == 0 && gap / step >= 1 ? gap / step : never;
-    unsigned width = process_[a.phi].type_width;
-    if (width < 20) {
+    if (width < kWideAddress) {
       int64_t modulus = int64_t{1} << width, wrapped = ((gap % modulus) + modulus) % modulus;
       distance = std::min(distance, std::max<int64_t>(1, (wrapped ? wrapped : modulus) / step));
     }
@@ -230,7 +272,7 @@ class BlockScheduler {
   bool differ_in_iteration(const Operation& a, const Operation& b) const {
     if (differ(a, b)) return true;
     Affine x = affine(a.operands[0]), y = affine(b.operands[0]);
-    return x.phi != kNoValue && x.phi == y.phi && x.offset != y.offset;
+    return x.phi != kNoValue && x.is_parallel(y) && x.offset != y.offset;
   }
 
   /// Cycles from one access to a later one of the same word, which may lie in a later iteration.

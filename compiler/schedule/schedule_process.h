@@ -14,6 +14,7 @@ struct BlockSchedule {
   int wanted_ii = 0;
   int length = 1;     ///< Cycles of one run or iteration.
   std::string limit;  ///< Why ii is not the wanted one; empty when it is.
+  int limiting_memory = -1;  ///< Whose read port it is, if it is one.
 };
 
 struct ProcessSchedule {

@@ -7,6 +7,7 @@
 #include "design/aggregate.h"
 #include "design/build.h"
 #include "design/constant_multiply.h"
+#include "design/copy_memory.h"
 #include "design/dead.h"
 #include "design/divide.h"
 #include "design/exclusive.h"
@@ -117,9 +118,29 @@ class Compilation {
       if (is_far(target, memory)) memory.load_latency = kFarRead;
       memory.is_block_table = is_block_table(target, memory);
     }
+    add_read_ports(process);
     CompiledProcess made{process, schedule_process(process, schedule_options_, result_.diagnostics)};
     tell("schedule", made.process, &made.schedule);
     return made;
+  }
+
+  /// Gives memories a second read port where a loop comes nearer to the II asked for by that.
+  void add_read_ports(Process& process) const {
+    Diagnostics ignored;
+    ProcessSchedule schedule = schedule_process(process, schedule_options_, ignored);
+    for (size_t block = 0; block < process.blocks.size(); ++block) {
+      if (process.blocks[block].wanted_ii == 0) continue;
+      Process copied = process;
+      ProcessSchedule after = schedule;
+      for (int memory = after.blocks[block].limiting_memory; memory >= 0 && can_copy_memory(copied, memory);
+           memory = after.blocks[block].limiting_memory) {
+        copy_memory(copied, memory);
+        after = schedule_process(copied, schedule_options_, ignored);
+      }
+      if (after.blocks[block].ii >= schedule.blocks[block].ii) continue;
+      process = std::move(copied);
+      schedule = std::move(after);
+    }
   }
 
   void tell(const char* stage, const Process& process, const ProcessSchedule* schedule = nullptr) const {

@@ -6,7 +6,7 @@ int array_partition_cyclic(const int in[32]) {
 #pragma HLS ARRAY_PARTITION variable=bank cyclic factor=2
   for (int i = 0; i < 32; ++i) bank[i] = in[i] ^ i;
   int sum = 0;
-  for (int i = 0; i < 32; i += 2) {
+  for (int i = 0; i < 32; i += 2) {  // expect: loop II=1
 #pragma HLS PIPELINE II=1
     sum += bank[i] - bank[i + 1];
   }

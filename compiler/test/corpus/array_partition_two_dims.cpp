@@ -1,7 +1,7 @@
-// Cyclic banks by rows, blocks by columns, in a static array.
+// Cyclic banks by rows, blocks by columns, in a static array; each bank has two read ports.
 // top: array_partition_two_dims
 // calls: 3
-// expect: memory a ram 9x32 count=6
+// expect: memory a ram 9x32 count=12
 
 void array_partition_two_dims(const int in[40], int out[40], unsigned s, unsigned t) {
   static int a[5][8];
