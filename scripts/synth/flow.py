@@ -53,6 +53,7 @@ XILINX_LUTS = "; ".join([
 
 # Mapping for ECP5: that of synth_ecp5 -abc9 with four differences.
 # Short RAMs lie in LUTs, beside the logic they belong to: the frame ring takes most block RAMs; those that are left stand anywhere, 4 ns away.
+# That is up to 64 words, 256 of a byte or less: of wider ones the choice among the LUTs takes longer than the way.
 # A wire counts 0.8 ns, as nextpnr routes it on average, beside 0.24 ns of a LUT; Yosys's own 0.3 ns take long chains of LUTs for fast.
 # LUTs are chosen for least depth everywhere (-F 0 -A 0: no rounds that save LUTs): the slack that ABC sees is not what is left after routing.
 # Enables and resets that fewer than six flip-flops share are made in the LUTs before them: as pins they cost a LUT and a wire more.
