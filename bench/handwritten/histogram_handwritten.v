@@ -1,4 +1,4 @@
-// Histogram by hand: the yardstick for the compiler's hls/histogram.h (histogram.cpp beside this file). Same ports, same bits, same rate.
+// Histogram by hand: the yardstick for the compiler's hls/histogram.h (bench/kernels/histogram.cpp). Same ports, same bits, same rate.
 //
 // A run clears the 256 bins, counts a frame of width * height pixels while they pass, and sends the counts: width * height + 515 steps. A
 // bin is read when its pixel comes and written one step later; the count of the last pixel is kept for the next one of the same level.

@@ -15,6 +15,7 @@ import sweep
 CYCLES = flow.ROOT / "tb/cosim/cycles_baseline.json"
 VGA = (640, 480)
 HD = (1920, 1080)
+KERNELS = ("gaussian", "erode", "polar", "histogram")  # those that are also written by hand, in bench/handwritten
 STAGE_COLUMNS = ("lut", "ff", "dsp")  # Vitis Vision's tables count block RAM in other units
 SECTIONS = flow.ROOT / "build/synth/tables.sections.json"
 
@@ -94,9 +95,32 @@ def stages():
             "columns": ["stage", "LUT, VGA", "FF", "DSP", "LUT, 1080p", "FF", "DSP", "Vitis Vision", "LUT", "FF", "DSP"], "rows": rows}
 
 
+def by_hand():
+    """Compiled kernels beside the same ones written by hand."""
+    rows = []
+    for kernel in KERNELS:
+        pairs = [[record(f"{target}-{name}") for name in (kernel, f"{kernel}_handwritten")] for target in ("xc6v", "ecp5")]
+        if not all(map(all, pairs)):
+            return None
+        xilinx, lattice = pairs
+        rows.append([kernel, *(" / ".join(str(result["total"][key]) for result in xilinx) for key in report.COLUMNS),
+                     " / ".join(str(clock(result)) for result in lattice)])
+    return {"title": "Beside Verilog by hand", "note": "Compiled / by hand; the best of five placements each.",
+            "columns": ["kernel", "LUT, Virtex-6", "FF", "RAMB36", "DSP48", "MHz, ECP5 -6"], "rows": rows}
+
+
 def parts():
     result = record("xc6v-top")
     return report.sections(result)[0] if result else None
+
+
+def lens():
+    result = record("xc6v-lens")
+    if not result:
+        return None
+    return {"title": "Lens stage", "note": "Yosys for Virtex-6; VGA, nearest pixel, rows up to 20 rows away.",
+            "columns": ["stage", *(key.upper() for key in report.COLUMNS)],
+            "rows": [["lens", *(result["total"][key] for key in report.COLUMNS)]]}
 
 
 def placements():
@@ -117,7 +141,8 @@ def power_table():
     return power.sections(result)[0] if result else None
 
 
-TABLES = {"comparison": comparison, "stages": stages, "parts": parts, "placements": placements, "sizes": sizes, "power": power_table}
+TABLES = {"comparison": comparison, "stages": stages, "by_hand": by_hand, "parts": parts, "lens": lens,
+           "placements": placements, "sizes": sizes, "power": power_table}
 
 
 def markdown(section):

@@ -1,4 +1,4 @@
-/// The histogram of hls/histogram.h as a core of its own, to be compared with histogram_handwritten.v: counts
+/// The histogram of hls/histogram.h as a core of its own, to be compared with bench/handwritten: counts
 /// the pixels of a frame while they pass and sends the counts of the 256 levels.
 #include "histogram.h"
 
