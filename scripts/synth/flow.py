@@ -53,13 +53,13 @@ XILINX_LUTS = "; ".join([
 
 # Mapping for ECP5: that of synth_ecp5 -abc9 with four differences.
 # Short RAMs lie in LUTs, beside the logic they belong to: the frame ring takes most block RAMs; those that are left stand anywhere, 4 ns away.
-# That is up to 64 words, 256 of a byte or less: of wider ones the choice among the LUTs takes longer than the way.
+# That is up to 64 words, or 256 of up to 36 bits: the histogram, too, whose counts would go that way twice in a cycle.
 # A wire counts 0.8 ns, as nextpnr routes it on average, beside 0.24 ns of a LUT; Yosys's own 0.3 ns take long chains of LUTs for fast.
 # LUTs are chosen for least depth everywhere (-F 0 -A 0: no rounds that save LUTs): the slack that ABC sees is not what is left after routing.
 # Enables and resets that fewer than six flip-flops share are made in the LUTs before them: as pins they cost a LUT and a wire more.
 ECP5_FLIP_FLOPS = " ".join(f"-cell {cell}" for cell in ("$_DFF_?_ 01", "$_DFF_?P?_ r", "$_SDFF_?P?_ r", "$_DFFE_??_ 01", "$_DFFE_?P??_ r",
                                                        "$_SDFFE_?P??_ r"))
-ECP5_SHORT_RAMS = ('setattr -set ram_style "distributed" t:$mem_v2 r:SIZE<=64 %i t:$mem_v2 r:SIZE<=256 %i r:WIDTH<=8 %i %u r:WR_PORTS>=1 %i '
+ECP5_SHORT_RAMS = ('setattr -set ram_style "distributed" t:$mem_v2 r:SIZE<=64 %i t:$mem_v2 r:SIZE<=256 %i r:WIDTH<=36 %i %u r:WR_PORTS>=1 %i '
                    'a:ram_style %d')
 ECP5_ENABLES = f"opt_clean; dfflegalize -mince 6 -minsrst 6 {ECP5_FLIP_FLOPS}"
 ECP5_LUTS = "techmap -map +/ecp5/latches_map.v; abc9 -W 800 -script +&scorr;&sweep;&dc2;&dch,-f;&ps;&if,{C},{W},{D},{R},-F,0,-A,0;&mfs; clean"
