@@ -11,7 +11,7 @@ trap 'rm -rf "$work"' EXIT
 
 # run COMMAND...: sets passed, failed and log. Failures are also told at once, as a long run has an hour to go.
 run() {
-    log=$({ "$runner" -j 2 --work "$work/run" "$@" 2>/dev/null || true; } | tee /dev/stderr)
+    log=$({ "$runner" -j 2 --work "$work/run" "$@" 2>/dev/null || true; } | tee >(cat >&2))
     passed=$(sed -n 's/^\([0-9]*\) passed, .*/\1/p' <<<"$log")
     failed=$(sed -n 's/^[0-9]* passed, \([0-9]*\) failed.*/\1/p' <<<"$log")
     [ -n "$passed" ] || { echo "error: $runner $* counted nothing; run it by hand." >&2; exit 1; }
