@@ -303,7 +303,10 @@ TEST_F(CommandTest, InterruptLeavesNothing) {
   write(folder_ / "scene.yaml",
         "image: {width: 64, height: 48}\npath: {segments: [{frames: 5000, step_m: 0.0001}]}\n");
   const std::size_t before = entries(folder_);
-  const Outcome outcome = run("render scene.yaml --output long", "timeout --preserve-status -s INT 1");
+  // --foreground: one signal. Otherwise timeout also sends it to its process group, and a second Ctrl-C ends
+  // at once.
+  const Outcome outcome =
+      run("render scene.yaml --output long", "timeout --foreground --preserve-status -s INT 1");
   EXPECT_EQ(outcome.code, 130) << outcome.err;
   EXPECT_EQ(outcome.err, "error: interrupted; nothing half-written was left.\n");
   EXPECT_EQ(entries(folder_), before);
