@@ -37,15 +37,16 @@ def source(size, folder):
     text = shipped.read_text()
     if CONFIGURATION not in text:
         fail(f"hls/accelerator.cpp no longer names {CONFIGURATION}; scripts/synth/compiled.py puts another size in its place.")
+    folder.mkdir(parents=True, exist_ok=True)
     copy = folder / "accelerator.cpp"
     copy.write_text(text.replace(CONFIGURATION, configuration(*size)))
     return copy
 
 
+@functools.lru_cache
 def compile_source(source, top, target, folder, options=()):
     """Verilog of `source` in `folder`/rtl, which is returned relative to the root."""
     family, period = SCHEDULE[target]
-    folder.mkdir(parents=True, exist_ok=True)
     if not COMPILER.exists():
         fail("the compiler is not built; run 'cmake --preset release' and 'ninja -C build/release floorline-hlsc'.")
     done = subprocess.run([COMPILER, "compile", source, "--top", top, *options, "-I", ROOT / "hls", "--std", "c++11", "--target", family,
@@ -56,16 +57,14 @@ def compile_source(source, top, target, folder, options=()):
     return str((folder / "rtl").relative_to(ROOT))
 
 
-@functools.lru_cache
 def accelerator(target, size):
     """The folder of the accelerator's Verilog, relative to the root."""
     family = SCHEDULE[target][0]
     if size == VGA and family == "xc6v":
         return "rtl/generated"
     folder = FOLDER / f"{family}-{size[0]}x{size[1]}"
-    folder.mkdir(parents=True, exist_ok=True)
     taps = (ROOT / "hls/taps.txt").read_text().split()
-    return compile_source(source(size, folder), "floorline_accelerator", target, folder, ["--tap", *taps])
+    return compile_source(source(size, folder), "floorline_accelerator", target, folder, ("--tap", *taps))
 
 
 def located(pattern, target, size):

@@ -43,8 +43,8 @@ def by_hand():
             figure(f"synth.{kernel}.{key}_by_hand_ratio", round(compiled[key] / handwritten[key], 2), "<=", 1.2)
         for key in ("bram", "dsp"):
             figure(f"synth.{kernel}.{key}_beyond_by_hand", compiled[key] - handwritten[key], "<=", 0)
-        compiled, handwritten = (flow.best_route(evaluate(name, "ecp5", SEEDS))["mhz"] for name in pair)
-        figure(f"synth.{kernel}.mhz_by_hand_ratio", round(compiled / handwritten, 2), ">=", 0.9)
+        compiled_mhz, handwritten_mhz = (flow.best_route(evaluate(name, "ecp5", SEEDS))["mhz"] for name in pair)
+        figure(f"synth.{kernel}.mhz_by_hand_ratio", round(compiled_mhz / handwritten_mhz, 2), ">=", 0.9)
 
 
 def clock():

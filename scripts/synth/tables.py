@@ -142,7 +142,7 @@ def power_table():
 
 
 TABLES = {"comparison": comparison, "stages": stages, "by_hand": by_hand, "parts": parts, "lens": lens,
-           "placements": placements, "sizes": sizes, "power": power_table}
+          "placements": placements, "sizes": sizes, "power": power_table}
 
 
 def markdown(section):
