@@ -38,9 +38,8 @@ nlohmann::json cycles_section(const CosimSummary& s) {
   return {
       {"title", "Cycles and latencies"},
       {"note",
-       "The core's own counters, greatest of all frames. The ICVS paper needs about 4,610 cycles to a "
-       "contact "
-       "point; its frames take width * height cycles."},
+       "The core's own counters, greatest of all frames; a frame's bound is for one without stalls. The ICVS "
+       "paper needs about 4,610 cycles to a contact point; its frames take width * height cycles."},
       {"columns", {"counter", "cycles", "bound", "paper", "verdict"}},
       {"rows",
        {{"frame", s.most_cycles(), cycles_bound, s.size.area(), verdict(s.most_cycles() <= cycles_bound)},

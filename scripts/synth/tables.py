@@ -76,7 +76,7 @@ def told(value):
 def comparison():
     """Ours beside the paper's architecture 2."""
     our, their = ours(), published()["paper"]
-    rows = [[name, "not measured" if our[key] is None else our[key], told(their[key]), ratio(our[key], their[key]), f"`{command}`"]
+    rows = [[name, "not measured" if our[key] is None else our[key], told(their[key]), ratio(our[key], their[key]), command]
             for key, (name, command) in FIGURES.items()]
     return {"title": "Beside the paper", "note": "Architecture 2 at 640x480.", "columns": ["figure", "ours", "paper", "ratio", "printed by"], "rows": rows}
 
@@ -145,11 +145,16 @@ TABLES = {"comparison": comparison, "stages": stages, "by_hand": by_hand, "parts
           "placements": placements, "sizes": sizes, "power": power_table}
 
 
+def cell_text(value):
+    """As Markdown: commands as code."""
+    return f"`{value}`" if str(value).startswith("./") else str(value)
+
+
 def markdown(section):
     if section is None:
         return "Not measured yet.\n"
     lines = ["| " + " | ".join(section["columns"]) + " |", "| --- |" + " ---: |" * (len(section["columns"]) - 1)]
-    lines += ["| " + " | ".join(map(str, row)) + " |" for row in section["rows"]]
+    lines += ["| " + " | ".join(map(cell_text, row)) + " |" for row in section["rows"]]
     return f"{section['note']}\n\n" + "\n".join(lines) + "\n"
 
 
