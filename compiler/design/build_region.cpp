@@ -3,6 +3,7 @@
 #include "design/process_builder.h"
 #include "middle/primitives.h"
 #include "middle/source_location.h"
+#include "middle/tasks.h"
 
 namespace hlsc {
 
@@ -58,6 +59,10 @@ void ProcessBuilder::build_instance(CallInst& call, int index) {
     }
     instance.memories.push_back(memory_tie(call, *argument, memory));
   }
+  instance.is_task = is_task(call);
+  if (instance.is_task &&
+      !(process.scalars.empty() && instance.memories.empty() && instance.channels.empty()))
+    refuse(call, "task '" + instance.name + "' takes more than streams; send the other values by streams");
   region_->instances.push_back(instance);
 }
 

@@ -228,6 +228,7 @@ struct Instance {
   std::vector<int> scalars;
   std::vector<MemoryTie> memories;
   std::vector<ChannelPort> channels;
+  bool is_task = false;  ///< Starts again by itself, whatever the region's runs are.
 };
 
 /// A stream of a dataflow region: a FIFO between two instances, or a port of the top.

@@ -46,6 +46,7 @@
 #include "middle/static_objects.h"
 #include "middle/stream_lowering.h"
 #include "middle/stream_queues.h"
+#include "middle/tasks.h"
 
 namespace hlsc {
 namespace {
@@ -454,6 +455,7 @@ MiddleResult run_middle(Program& program, const LoopChoice& keeps_apart, bool in
   MiddleResult result;
   remove_host_calls(module, diagnostics);
   drop_volatile(module, diagnostics);
+  place_tasks(module);
   resolve_loop_directives(module, result.directives, diagnostics);
   expand_memory_copies(module);
   lower_streams(module, program.stream_types);

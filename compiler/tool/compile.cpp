@@ -176,12 +176,16 @@ class Compilation {
     }
   }
 
-  TopModule region_top(const MiddleResult& middle, const PortModes& modes) {
+  TopModule region_top(const MiddleResult& middle, PortModes modes) {
     std::vector<Process> processes;
     for (const CompiledProcess& compiled : result_.processes) processes.push_back(compiled.process);
     Region region = region_of(middle, processes);
     for (RegionStream& stream : region.streams)
       stream.depth = std::max<int>(stream.depth, schedule_options_.target.least_fifo);
+    bool is_of_tasks = std::all_of(region.instances.begin(), region.instances.end(),
+                                   [](const Instance& instance) { return instance.is_task; });
+    if (is_of_tasks && modes.mode("return").empty())
+      modes.by_port["return"].options["mode"] = "ap_ctrl_none";  // Nothing that starts or ends.
     CompiledProcess head = scheduled(region.head);
     region.head = head.process;
     result_.files.push_back(

@@ -151,15 +151,17 @@ class TopWriter {
     for (const RegionScalar& scalar : region.scalars) declare_region_scalar(scalar);
     for (const ScalarPort& scalar : region.head.scalars)
       if (scalar.instance < 0) add_scalar(scalar);
-    add_head(region);
-    size_t count = region.instances.size();
+    if (!runs_freely(region)) add_head(region);
+    size_t count = std::count_if(region.instances.begin(), region.instances.end(),
+                                 [&](const Instance& instance) { return !runs_freely(instance, region); });
     has_registers_ = !region.is_loop && bits_taken(region, processes) >= kRegisteredScalars;
     if (has_registers_)
       body_ << "    wire run_waits;\n    reg" << range_text(count)
             << " taken;  // instances that have the scalars of the next run\n";
-    for (size_t i = 0; i < count; ++i) add_instance(region, i, *processes[region.instances[i].process]);
+    for (size_t i = 0; i < region.instances.size(); ++i)
+      add_instance(region, i, *processes[region.instances[i].process]);
     for (const RegionScalar& scalar : region.scalars) add_region_scalar(region, scalar);
-    add_run_control(region.is_loop);
+    if (!runs_freely(region)) add_run_control(region.is_loop);
     return finished();
   }
 
@@ -670,6 +672,35 @@ class TopWriter {
     return bits;
   }
 
+  /// Without a start from outside, and with streams alone between them, instances need not wait for each
+  /// other.
+  bool runs_freely(const Region& region) const {
+    bool has_runs = interface_.has_start || region.is_loop || !region.head.scalars.empty() ||
+                    !region.scalars.empty() || !region.channels.empty();
+    return !has_runs;
+  }
+
+  bool runs_freely(const Instance& instance, const Region& region) const {
+    return instance.is_task || runs_freely(region);
+  }
+
+  /// What starts the run of an instance: the FIFO that holds the scalars of its runs. They stay at its output
+  /// until the instance is done.
+  void add_starts(const std::string& name, const std::string& data, unsigned width,
+                  const std::string& taken) {
+    Handshake out = {taken, name + "_start", name + "_done"};
+    std::string ready = name + "_start_free";
+    if (has_registers_)
+      fifo(name + "_starts", std::max(1u, width), 1,
+           {data, "run_waits & ~taken[" + std::to_string(dones_.size()) + "]", ready}, out);
+    else if (width >= kWideScalars)
+      fifo(name + "_starts", width, 4, {data, "run_starts", ready}, out, "scalar_fifo");
+    else
+      fifo(name + "_starts", std::max(1u, width), 2, {data, "run_starts", ready}, out);
+    dones_.push_back(name + "_done");
+    frees_.push_back(ready);
+  }
+
   void add_instance(const Region& region, size_t index, const Process& process) {
     const Instance& instance = region.instances[index];
     const std::string& name = instance.name;
@@ -680,8 +711,10 @@ class TopWriter {
       inputs.push_back(region.run_scalars[instance.scalars[i]].name);
       width += process.scalars[i].width;
     }
-    std::string start = name + "_start", done = name + "_done", ready = name + "_start_free";
-    body_ << "\n    wire " << start << ", " << done << ", " << ready << ";\n";
+    bool is_free = runs_freely(instance, region);
+    std::string start = is_free ? "1'b1" : name + "_start", done = is_free ? "" : name + "_done";
+    body_ << "\n";
+    if (!is_free) body_ << "    wire " << start << ", " << done << ", " << name << "_start_free;\n";
     std::string data = "1'b0", taken;
     if (width) {
       taken = name + "_scalars";
@@ -689,14 +722,7 @@ class TopWriter {
       data = "{";
       for (size_t i = inputs.size(); i-- > 0;) data += inputs[i] + (i ? ", " : "}");
     }
-    // The scalars of a run stay at the FIFO's output until the instance is done.
-    if (has_registers_)
-      fifo(name + "_starts", std::max(1u, width), 1,
-           {data, "run_waits & ~taken[" + std::to_string(index) + "]", ready}, {taken, start, done});
-    else if (width >= kWideScalars)
-      fifo(name + "_starts", width, 4, {data, "run_starts", ready}, {taken, start, done}, "scalar_fifo");
-    else
-      fifo(name + "_starts", std::max(1u, width), 2, {data, "run_starts", ready}, {taken, start, done});
+    if (!is_free) add_starts(name, data, width, taken);
     tied_.clear();
     for (const ChannelPort& tie : instance.channels) tied_.insert(tie.memory);
     std::string gate = start, ends;
@@ -731,8 +757,6 @@ class TopWriter {
     for (size_t i = 0; i < process.streams.size() && has_probes_; ++i)
       body_ << end_probe(name, process.streams[i].name, region.streams[instance.streams[i]].name,
                          process.streams[i].is_input);
-    dones_.push_back(done);
-    frees_.push_back(ready);
   }
 
   /// Counts the runs each instance has finished; the region's run is done when all have finished it. A loop's

@@ -1,5 +1,6 @@
 /// hls::stream for C simulation: an unbounded first-in first-out queue that cannot be copied and has a name.
-/// A ring buffer that only grows; no locks: processes run one after the other, as a C program does.
+/// A ring buffer that only grows; no locks: processes run one after the other, as a C program does, and tasks
+/// (hls_task.h) when somebody waits.
 #ifndef HLS_STREAM_H
 #define HLS_STREAM_H
 
@@ -17,6 +18,23 @@ class stream_error : public std::logic_error {
   using std::logic_error::logic_error;
 };
 
+namespace stream_detail {
+
+/// What the streams of a program have in common; a template, so that it needs no source file.
+template <class Unused = void>
+struct Shared {
+  static unsigned long long transfers;  ///< Elements that any stream took or gave.
+  static bool (*others)();              ///< Lets tasks work; false when none moved an element. Null: no tasks.
+
+  static bool others_moved() { return others && others(); }
+};
+template <class Unused>
+unsigned long long Shared<Unused>::transfers = 0;
+template <class Unused>
+bool (*Shared<Unused>::others)() = nullptr;
+
+}  // namespace stream_detail
+
 /// DEPTH is what the FIFO of the hardware holds; C simulation takes any number of elements unless bound() is
 /// called.
 template <class T, int DEPTH = 0>
@@ -33,7 +51,10 @@ class stream<T, 0> {
   const std::string& name() const { return name_; }
   void set_name(const char* name) { name_ = name; }
 
-  bool empty() const { return count_ == 0; }
+  bool empty() const {
+    if (count_ == 0) stream_detail::Shared<>::others_moved();
+    return count_ == 0;
+  }
   bool full() const { return count_ == bound_; }
   /// Elements written and not read yet; not 0 at the end of a test is a leftover.
   std::size_t size() const { return count_; }
@@ -48,6 +69,8 @@ class stream<T, 0> {
     return value;
   }
   void read(T& value) {
+    while (count_ == 0 && stream_detail::Shared<>::others_moved()) {
+    }
     if (!read_nb(value)) {
       throw stream_error("Stream \"" + name_ +
                          "\" is read while it is empty; write to it before, or read less.");
@@ -58,6 +81,7 @@ class stream<T, 0> {
     value = ring_[first_];
     first_ = (first_ + 1) & (ring_size_ - 1);
     --count_;
+    ++stream_detail::Shared<>::transfers;
     return true;
   }
   void operator>>(T& value) { read(value); }
@@ -73,6 +97,7 @@ class stream<T, 0> {
     if (count_ == ring_size_) grow();
     ring_[(first_ + count_) & (ring_size_ - 1)] = value;
     ++count_;
+    ++stream_detail::Shared<>::transfers;
     return true;
   }
   void operator<<(const T& value) { write(value); }

@@ -7,15 +7,14 @@
 
 namespace ap_detail {
 
-/// What every part can do. D derives from it and has bits(), put(bits) and length().
-/// Assignment copies the value, never the place.
+/// What every part can do. D derives from it and has bits(), put(bits), length() and one conversion to a
+/// native type: with two, `sum += part` would be ambiguous. Assignment copies the value, never the place.
 template <class D, int W>
 struct Reference {
   static const int width = W;
 
   AP_INLINE Unsigned<W> raw() const { return self().bits(); }
   AP_INLINE ap_uint<W> get() const { return ap_uint<W>(FromBits(), self().bits()); }
-  AP_INLINE operator unsigned long long() const { return static_cast<unsigned long long>(self().bits()); }
 
   AP_INLINE int to_int() const { return static_cast<int>(self().bits()); }
   AP_INLINE unsigned to_uint() const { return static_cast<unsigned>(self().bits()); }
@@ -93,6 +92,7 @@ struct ap_range_ref : ap_detail::Reference<ap_range_ref<W, S>, W> {
     word_.V = (word_.V & ~(mask << lo_)) | (bits & mask) << lo_;
   }
   AP_INLINE int length() const { return length_; }
+  AP_INLINE operator unsigned long long() const { return static_cast<unsigned long long>(bits()); }
 
  private:
   ap_detail::Bits<W, S>& word_;
@@ -109,6 +109,7 @@ struct WordReference : Reference<WordReference<W, S>, W> {
   AP_INLINE Unsigned<W> bits() const { return word_.V; }
   AP_INLINE void put(Unsigned<W> bits) { word_.V = bits; }
   AP_INLINE int length() const { return W; }
+  AP_INLINE operator unsigned long long() const { return static_cast<unsigned long long>(bits()); }
 
  private:
   Bits<W, S>& word_;
@@ -121,6 +122,7 @@ struct Copy : Reference<Copy<W>, W> {
 
   AP_INLINE Unsigned<W> bits() const { return bits_; }
   AP_INLINE int length() const { return W; }
+  AP_INLINE operator unsigned long long() const { return static_cast<unsigned long long>(bits()); }
 
  private:
   Unsigned<W> bits_;
@@ -149,6 +151,7 @@ struct ap_concat_ref : ap_detail::Reference<ap_concat_ref<L, R>, L::width + R::w
     left_.put(static_cast<ap_detail::Unsigned<L::width>>(bits >> right_.length()));
   }
   AP_INLINE int length() const { return left_.length() + right_.length(); }
+  AP_INLINE operator unsigned long long() const { return static_cast<unsigned long long>(bits()); }
 
  private:
   L left_;
