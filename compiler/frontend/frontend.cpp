@@ -161,12 +161,18 @@ class ProgramReader : public clang::SemaConsumer, public clang::RecursiveASTVisi
       program_.stream_types[mangled_name(*mangler_, function)] =
           layout_of(*context_, function->getTemplateSpecializationArgs()->get(0).getAsType());
     else if (function->isThisDeclarationADefinition() && !llvm::isa<clang::CXXMethodDecl>(function) &&
-             !context_->getSourceManager().isInSystemHeader(function->getLocation()))
+             may_be_process(function))
       read_function(function);
     return true;
   }
 
  private:
+  /// Functions of the user, and those behind hls::split and hls::merge (hls_np_channel.h).
+  bool may_be_process(const clang::FunctionDecl* function) const {
+    return !context_->getSourceManager().isInSystemHeader(function->getLocation()) ||
+           llvm::StringRef(function->getQualifiedNameAsString()).starts_with("hls::np_detail::");
+  }
+
   void read_function(clang::FunctionDecl* function) {
     FunctionInfo info;
     info.name = function->getNameAsString();

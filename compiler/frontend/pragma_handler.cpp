@@ -124,14 +124,15 @@ class HlsPragmaHandler : public clang::PragmaHandler {
         continue;
       }
       size_t value_end = end_of_value(line, i + 2);
+      size_t value_begin = i + 2 + line[i + 2].is(clang::tok::amp);  // `variable=&buffer`: older code.
       std::string value;
-      for (size_t k = i + 2; k < value_end; ++k) value += preprocessor.getSpelling(line[k]);
+      for (size_t k = value_begin; k < value_end; ++k) value += preprocessor.getSpelling(line[k]);
       bool names_variable =
           (llvm::StringRef(word).lower() == "variable" || llvm::StringRef(word).lower() == "port") &&
           value != "return";
       if (names_variable) {
         variable_name = value;
-        variable.assign(line.begin() + i + 2, line.begin() + value_end);
+        variable.assign(line.begin() + value_begin, line.begin() + value_end);
       } else if (is_numeric_option(word) && line[i + 2].isNot(clang::tok::numeric_constant) &&
                  line[i + 2].isNot(clang::tok::minus)) {
         punctuate(numbers, clang::tok::comma, where);

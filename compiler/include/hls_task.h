@@ -27,6 +27,8 @@ class task {
  private:
   task(const task&);
   task& operator=(const task&);
+
+  char handle_;  ///< Keeps it a type of its own where it is a member.
 };
 
 }  // namespace hls

@@ -42,12 +42,13 @@ bool is_irregular(Type* type) {
   });
 }
 
-/// Handles of streams have places, but no contents.
+/// Handles of streams and tasks have places, but no contents.
 bool holds_streams(Type* type) {
   while (auto* array = dyn_cast<ArrayType>(type)) type = array->getElementType();
   auto* structure = dyn_cast<StructType>(type);
   if (!structure) return false;
-  if (structure->hasName() && structure->getName().starts_with("class.hls::stream")) return true;
+  StringRef name = structure->hasName() ? structure->getName() : "";
+  if (name.starts_with("class.hls::stream") || name.starts_with("class.hls::task")) return true;
   return structure->getNumElements() && all_of(structure->elements(), holds_streams);
 }
 

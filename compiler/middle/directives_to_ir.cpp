@@ -26,6 +26,9 @@ const std::set<std::string> kIgnoredKinds = {"ALLOCATION", "ARRAY_MAP",  "BIND_O
                                              "LOOP_MERGE", "OCCURRENCE", "PERFORMANCE", "PROTOCOL",
                                              "RESET",      "SHARED",     "TOP"};
 
+/// Behind a pointer with m_axi whose size nothing tells, as the bus reaches all of a memory.
+constexpr unsigned kBusElements = 1u << 20;
+
 struct Marker {
   CallInst* call;
   Directive directive;
@@ -237,6 +240,10 @@ void check_numbers(const Directive& directive, const SourceLocation& where) {
   }
 }
 
+bool is_bus_master(const Directive& interface) {
+  return interface.has("m_axi") || interface.text("mode") == "m_axi";
+}
+
 /// Notes in a DEPENDENCE and in the loops that it stands in the number by which these know it.
 void mark_claim(Marker& marker, LoopInfo& loops, size_t number) {
   Loop* around = loops.getLoopFor(marker.call->getParent());
@@ -264,6 +271,8 @@ void resolve_loop_directives(Module& module, DirectiveTable& table, Diagnostics&
       SourceLocation where = location_of(*marker.call);
       check_numbers(marker.directive, where);
       if (kind == "INTERFACE") {
+        if (is_bus_master(marker.directive))
+          marker.directive.options.emplace("depth", std::to_string(kBusElements));
         table.ports[function.getName().str()].push_back(
             {marker.variable_name.empty() && marker.directive.has("port") ? "return" : marker.variable_name,
              marker.directive, where});

@@ -12,8 +12,13 @@ using namespace llvm;
 
 constexpr const char* kTask = "hls-task";
 
-/// A constructor of hls::task or its operator().
-bool is_of_task(const Function& function) { return function.getName().starts_with("_ZN3hls4task"); }
+/// A constructor of hls::task or its operator(), or a constructor of hls::split and hls::merge, which call
+/// it.
+bool is_of_task(const Function& function) {
+  StringRef name = function.getName();
+  bool is_channel = name.starts_with("_ZN3hls5split") || name.starts_with("_ZN3hls5merge");
+  return name.starts_with("_ZN3hls4task") || (is_channel && (name.contains("C1E") || name.contains("C2E")));
+}
 
 CallInst* next_call_of_task(Function& function) {
   for (Instruction& instruction : instructions(function)) {
@@ -55,7 +60,7 @@ void place_tasks(Module& module) {
     promote_scalars(function);
   }
   for (Function& function : module)
-    if (is_of_task(function)) function.deleteBody();
+    if (is_of_task(function) && function.use_empty()) function.deleteBody();
 }
 
 bool is_task(const CallInst& call) { return call.hasFnAttr(kTask); }
