@@ -4,6 +4,8 @@
 #include <cmath>
 #include <set>
 
+#include "design/shared_phis.h"
+
 namespace hlsc {
 namespace {
 
@@ -95,6 +97,7 @@ class Estimate {
   void registers() {
     std::vector<int> last(process_.operations.size(), -1);
     std::set<ValueId> held;
+    const std::map<ValueId, ValueId> shared = shared_phis(process_);
     auto use = [&](ValueId value, int block, int cycle) {
       if (value == kNoValue || is_constant(value) || process_[value].kind == OpKind::kInput) return;
       if (process_[value].block == block)
@@ -105,7 +108,7 @@ class Estimate {
     for (size_t b = 0; b < process_.blocks.size(); ++b) {
       for (ValueId id : process_.blocks[b].operations) {
         const Operation& op = process_[id];
-        if (op.kind == OpKind::kPhi) total_.ff += op.bits;
+        if (op.kind == OpKind::kPhi && !shared.count(id)) total_.ff += op.bits;
         for (ValueId operand : op.operands)
           if (op.kind != OpKind::kPhi || process_[operand].block != static_cast<int>(b))
             use(operand, b, schedule_.start[id]);
@@ -127,7 +130,7 @@ class Estimate {
     for (size_t b = 0; b < process_.blocks.size(); ++b) {
       bool is_loop = process_.blocks[b].is_loop;
       states += is_loop ? 1 : schedule_.blocks[b].length;
-      if (is_loop) total_.ff += schedule_.blocks[b].length;
+      if (is_loop && schedule_.blocks[b].length > 1) total_.ff += schedule_.blocks[b].length;
     }
     total_.ff += address_bits(states);
     total_.lut += states;

@@ -6,14 +6,18 @@
 namespace hlsc {
 namespace {
 
+constexpr unsigned kShortRamWords = 64;  ///< In LUTs at any width.
+constexpr unsigned kNarrowRamBits = 36;  ///< In LUTs at any depth up to Target::lut_ram_words.
+constexpr double kLutRamCell = 16;       ///< Words.
+
 const Target kTargets[] = {
-    {"xc6v", 0.75, 1.125, 0.95, 0.030, 3.6, 2.1, 0.8, 0, 1.8, 0, 25, 18, true, 0, 2048, 1, 0},
-    {"xc7", 0.65, 0.975, 0.85, 0.025, 3.2, 2.1, 0.7, 0, 1.6, 0, 25, 18, true, 0, 2048, 1, 0},
+    {"xc6v", 0.75, 1.125, 0.95, 0.030, 3.6, 2.1, 0.8, 0, 1.8, 0, 25, 18, true, 0, 2048, 1, 0, 0},
+    {"xc7", 0.65, 0.975, 0.85, 0.025, 3.2, 2.1, 0.7, 0, 1.6, 0, 25, 18, true, 0, 2048, 1, 0, 0},
     // Speed grade 6, as nextpnr places it: a LUT is 0.24 ns and its routing 0.6 to 1.2. A carry chain is 0.9
     // ns, 0.036 a bit and the routing to it and of its carry out; the bits of chains in a row overlap, so a
     // bit counts less here and the chain more. Yosys uses no output registers of DP16KD and MULT18X18D: 5.8
     // ns and 3.9 ns without routing.
-    {"ecp5", 1.05, 2.1, 2.30, 0.020, 5.2, 7.4, 1.2, 1.2, 4.4, 2.4, 18, 18, false, 16384, 4096, 2, 3.5},
+    {"ecp5", 1.05, 2.1, 2.30, 0.020, 5.2, 7.4, 1.2, 1.2, 4.4, 2.4, 18, 18, false, 16384, 4096, 2, 3.5, 256},
 };
 
 double adder(const Target& target, unsigned bits) { return target.carry_base + target.carry_bit * bits; }
@@ -38,6 +42,15 @@ const Target& target_named(const std::string& name) {
 bool is_far(const Target& target, const Memory& memory) {
   return memory.kind == MemoryKind::kRam && memory.starts_as_zero() && target.block_words &&
          memory.depth > target.block_words;
+}
+
+bool is_lut_ram(const Target& target, const Memory& memory) {
+  return memory.kind == MemoryKind::kRam && memory.depth <= target.lut_ram_words &&
+         (memory.depth <= kShortRamWords || memory.width <= kNarrowRamBits);
+}
+
+double lut_ram_read(const Target& target, const Memory& memory) {
+  return target.logic * (1 + std::max(0.0, std::ceil(std::log2(memory.depth / kLutRamCell) / 2)));
 }
 
 bool is_block_table(const Target& target, const Memory& memory) {

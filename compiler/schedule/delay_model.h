@@ -23,11 +23,13 @@ struct Target {
   double enable;      ///< From a condition to the enables of registers or of a RAM that it decides, ns; 0: as
                       ///< launch.
   unsigned multiplier_wide, multiplier_narrow;  ///< Signed operand widths of a multiplier block.
-  bool adds_products;    ///< A multiplier block also adds another's product; else wide products are split.
-  unsigned block_words;  ///< A RAM of more words is a far_ram (rtl/lib); 0: none is.
-  unsigned table_bits;   ///< A table of so many bits lies in block RAM; below, logic is less or nearer.
-  int least_fifo;        ///< Words of the smallest FIFO; that of one word lets m_ready through to s_ready.
-  double reach;          ///< From logic to the registers before the blocks of a far_ram, ns.
+  bool adds_products;      ///< A multiplier block also adds another's product; else wide products are split.
+  unsigned block_words;    ///< A RAM of more words is a far_ram (rtl/lib); 0: none is.
+  unsigned table_bits;     ///< A table of so many bits lies in block RAM; below, logic is less or nearer.
+  int least_fifo;          ///< Words of the smallest FIFO; that of one word lets m_ready through to s_ready.
+  double reach;            ///< From logic to the registers before the blocks of a far_ram, ns.
+  unsigned lut_ram_words;  ///< A RAM of up to so many words lies in LUTs, as scripts/synth/flow.py has it; 0:
+                           ///< each is taken for a block RAM.
 };
 
 /// xc6v (Virtex-6), xc7 (7-series) or ecp5; throws CompileError for another name.
@@ -38,6 +40,12 @@ constexpr unsigned kFarRead = 6;
 
 /// Whether this memory is a far_ram, as it spans several blocks in depth.
 bool is_far(const Target& target, const Memory& memory);
+
+/// Whether a RAM lies in LUTs: what is read passes multiplexers, then a register.
+bool is_lut_ram(const Target& target, const Memory& memory);
+
+/// From the address of a RAM in LUTs to its register, ns.
+double lut_ram_read(const Target& target, const Memory& memory);
 
 /// Whether a table lies in block RAM.
 bool is_block_table(const Target& target, const Memory& memory);

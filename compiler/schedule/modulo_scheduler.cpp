@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "schedule/problem.h"
 
@@ -202,18 +203,29 @@ void save_registers(const ScheduleProblem& problem, Schedule& schedule) {
 }
 
 unsigned register_bits(const ScheduleProblem& problem, const Schedule& schedule) {
+  const int ii = problem.ii;
+  auto last_cycle = [&](int op) {
+    const ScheduleOperation& operation = problem.operations[op];
+    return schedule.cycle[op] + operation.latency + (operation.is_register ? ii - 1 : 0);
+  };
   std::vector<int> last_use(problem.operations.size(), 0);
+  // By operation: when registers of the next iteration take its result.
+  std::vector<std::set<int>> taken(problem.operations.size());
   for (const Dependence& dependence : problem.dependences) {
     if (!dependence.is_data) continue;
+    const ScheduleOperation &from = problem.operations[dependence.from],
+                            &to = problem.operations[dependence.to];
     bool is_carried = dependence.distance > 0;  // Taken at the end of the cycle before.
-    int use = schedule.cycle[dependence.to] + dependence.distance * problem.ii - (is_carried ? 1 : 0);
+    int use = schedule.cycle[dependence.to] + dependence.distance * ii - (is_carried ? 1 : 0);
     last_use[dependence.from] = std::max(last_use[dependence.from], use);
+    if (dependence.distance == 1 && to.is_register && to.bits == from.bits)
+      taken[dependence.from].insert(use);
   }
   unsigned bits = 0;
   for (size_t op = 0; op < problem.operations.size(); ++op) {
-    int there = schedule.cycle[op] + problem.operations[op].latency;
-    int waits = last_use[op] - there - (problem.operations[op].is_register ? problem.ii - 1 : 0);
-    if (waits > 0) bits += problem.operations[op].bits * ((waits + problem.ii - 1) / problem.ii);
+    int there = last_cycle(op), waits = last_use[op] - there;
+    for (int copy = 0; copy * ii < waits; ++copy)
+      if (!taken[op].count(there + copy * ii)) bits += problem.operations[op].bits;
   }
   return bits;
 }

@@ -100,6 +100,19 @@ TEST_F(ModuloScheduler, SavesRegistersByWideningLate) {
   EXPECT_EQ(register_bits(problem, schedule), 4u);
 }
 
+TEST_F(ModuloScheduler, ARegisterOfTheNextIterationIsACopy) {
+  // What comes at once waits a cycle for a load; the next iteration takes it, too.
+  problem.operations = {operation(0), operation(0), operation(3, 1), operation(1)};
+  problem.operations[0].is_register = true;
+  problem.operations[0].bits = problem.operations[1].bits = 8;
+  problem.dependences = {data(1, 0, 1), data(1, 3), data(2, 3)};
+  ASSERT_TRUE(solved_at(1));
+  ASSERT_EQ(schedule.cycle, (std::vector<int>{0, 0, 0, 1}));
+  EXPECT_EQ(register_bits(problem, schedule), 0u);
+  problem.operations[0].bits = 9;
+  EXPECT_EQ(register_bits(problem, schedule), 8u);
+}
+
 TEST_F(ModuloScheduler, VerifyFindsAWrongSchedule) {
   problem.operations = {operation(2), operation(2)};
   problem.dependences = {data(0, 1)};

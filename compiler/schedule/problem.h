@@ -59,7 +59,8 @@ bool solve(const ScheduleProblem& problem, Schedule& schedule, ScheduleFailure& 
 /// length of the schedule and the cycles of fixed operations stay.
 void save_registers(const ScheduleProblem& problem, Schedule& schedule);
 
-/// Register bits that carry values of a pipelined problem from cycle to cycle.
+/// Register bits that carry values of a pipelined problem from cycle to cycle. A register that takes a value
+/// for the next iteration as soon as it would be copied holds it for this one, too.
 unsigned register_bits(const ScheduleProblem& problem, const Schedule& schedule);
 
 /// Empty when `schedule` obeys every dependence, limit and period of `problem`; else what it breaks.

@@ -107,8 +107,9 @@ class BlockScheduler {
       if (op.kind == OpKind::kLoad && process_.memories[op.object].load_latency > 0) {
         node.latency = process_.memories[op.object].load_latency;
         node.delay = 0;
-        node.output_delay =
-            is_far(op) ? options_.target.registers + 2 * options_.target.logic : options_.target.memory;
+        node.output_delay = output_delay(process_.memories[op.object]);
+        if (is_lut_ram(options_.target, process_.memories[op.object]))
+          node.tail = lut_ram_read(options_.target, process_.memories[op.object]);
       }
       if (op.is_memory_access() && is_far(op)) node.tail = options_.target.reach;
       if (op.kind == OpKind::kStore && op.predicate != kNoValue && !is_far(op) && node.resource >= 0)
@@ -122,6 +123,12 @@ class BlockScheduler {
       problem_.operations.push_back(node);
     }
     problem_.period = options_.period * (1 - options_.margin);
+  }
+
+  double output_delay(const Memory& memory) const {
+    const Target& target = options_.target;
+    if (memory.load_latency > 1) return target.registers + 2 * target.logic;
+    return is_lut_ram(target, memory) ? target.registers : target.memory;
   }
 
   bool is_far(const Operation& access) const { return process_.memories[access.object].load_latency > 1; }

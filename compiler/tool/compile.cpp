@@ -8,6 +8,7 @@
 #include "design/build.h"
 #include "design/constant_multiply.h"
 #include "design/copy_memory.h"
+#include "design/count_down.h"
 #include "design/dead.h"
 #include "design/divide.h"
 #include "design/exclusive.h"
@@ -111,6 +112,7 @@ class Compilation {
     narrow(process);
     fold(process);
     forward_copies(process);
+    count_down(process);
     remove_dead(process);
     join_aggregates(process, result_.diagnostics);
     tell("simplify", process);

@@ -6,6 +6,8 @@
 namespace hlsc {
 namespace {
 
+constexpr int kFewStages = 5;
+
 std::string upper(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::toupper(c); });
   return text;
@@ -38,9 +40,7 @@ bool ProcessEmitter::is_passed_over(int block) const {
 }
 
 std::string ProcessEmitter::active(Place at) const {
-  if (is_loop(at.block))
-    return block_of(at.block).name + "_active" +
-           (timing(at.block).length == 1 ? "" : "[" + std::to_string(at.cycle) + "]");
+  if (has_stages(at.block)) return block_of(at.block).name + "_active[" + std::to_string(at.cycle) + "]";
   return "(state == " + state_name(at.block, at.cycle) + ")";
 }
 
@@ -83,8 +83,7 @@ std::string ProcessEmitter::go_to(int to, Place from, const std::string& when, c
   }
   emit_phi_starts(to, source, from, when);
   std::string out = indent + "state <= " + state_name(to, 0) + ";\n";
-  if (is_loop(to))
-    out += indent + block_of(to).name + "_active" + (timing(to).length == 1 ? "" : "[0]") + " <= 1'b1;\n";
+  if (has_stages(to)) out += indent + active({to, 0}) + " <= 1'b1;\n";
   return out;
 }
 
@@ -96,7 +95,7 @@ void ProcessEmitter::emit_phi_starts(int block, int predecessor, Place from, con
     if (phi.kind != OpKind::kPhi) break;
     for (size_t k = 0; k < phi.operands.size(); ++k)
       if (block_of(block).predecessors[k] == predecessor)
-        starts += "            " + phi.name + " <= " + text(phi.operands[k], phi.bits, from) + ";\n";
+        starts += "            " + own_name(id) + " <= " + text(phi.operands[k], phi.bits, from) + ";\n";
   }
   if (!starts.empty()) phi_starts_ << "        if (" << when << ") begin\n" << starts << "        end\n";
 }
@@ -157,18 +156,19 @@ void ProcessEmitter::emit_plain_control(int block) {
 void ProcessEmitter::emit_loop_control(int block) {
   const Block& loop = block_of(block);
   LoopExit exit = loop_exit(block);
-  registers_ << "    reg " << range_text_spaced(timing(block).length) << loop.name
-             << "_active;  // stages at work\n";
+  if (has_stages(block))
+    registers_ << "    reg " << range_text_spaced(timing(block).length) << loop.name
+               << "_active;  // stages at work\n";
   if (!exit.is_known_at_issue)
     wires_ << "    wire " << loop.name << "_leave = " << happens({block, exit.cycle}) << " & "
            << leaves(block, exit.cycle) << ";\n";
-  emit_pipeline(block, exit);
+  if (has_stages(block)) emit_pipeline(block, exit);
   // The iteration that leaves is the last one; when it ends, the pipeline is empty.
   int last = timing(block).length - 1;
   if (exit.condition == kNoValue) {
     cases_ << "            " << state_name(block, 0) << ": ;  // runs for ever\n";
   } else {
-    std::string when = happens({block, last}) + " & " + leaves(block, last);
+    std::string when = happens({block, last}) + " & " + is_last(block, exit);
     std::string next = transition_of_loop(block, last, when);
     cases_ << "            " << state_name(block, 0) << ": if (" << when << ") begin\n"
            << next << "            end\n";
@@ -189,6 +189,15 @@ ProcessEmitter::LoopExit ProcessEmitter::loop_exit(int block) const {
 std::string ProcessEmitter::leaves(int block, int cycle) {
   const Terminator& terminator = block_of(block).terminator;
   return (terminator.targets[0] == block ? "~" : "") + bit(terminator.condition, {block, cycle});
+}
+
+/// Until an iteration leaves, there is one in the first II stages: behind the last one there is none. One LUT
+/// sees that of a few stages; along more of them the condition is carried.
+std::string ProcessEmitter::is_last(int block, const LoopExit& exit) {
+  int last = timing(block).length - 1;
+  if (last == exit.cycle || last < timing(block).ii || last > kFewStages) return leaves(block, last);
+  if (last == 1) return "~" + active({block, 0});
+  return "~|" + block_of(block).name + "_active[" + std::to_string(last - 1) + ":0]";
 }
 
 std::string ProcessEmitter::stays(int block, int cycle) {
@@ -250,7 +259,7 @@ void ProcessEmitter::emit_phi_updates(int block) {
       if (block_of(block).predecessors[k] != block || phi.operands[k] == id) continue;
       Place at{block, schedule_.start[id] + timing(block).ii - 1};
       at.cycle = std::min(at.cycle, timing(block).length - 1);
-      control_ << "        if (" << happens(at) << ") " << phi.name
+      control_ << "        if (" << happens(at) << ") " << own_name(id)
                << " <= " << text(phi.operands[k], phi.bits, at) << ";\n";
     }
   }

@@ -1,5 +1,6 @@
 #include "verilog/emit_process.h"
 
+#include "design/shared_phis.h"
 #include "verilog/process_emitter.h"
 #include "verilog/text.h"
 
@@ -11,7 +12,7 @@ std::string base_name(const std::string& path) { return path.substr(path.find_la
 }  // namespace
 
 ProcessEmitter::ProcessEmitter(const Process& process, const ProcessSchedule& schedule, bool has_probes)
-    : process_(process), schedule_(schedule), has_probes_(has_probes) {
+    : process_(process), schedule_(schedule), shared_phis_(shared_phis(process)), has_probes_(has_probes) {
   for (const Operation& op : process.operations)
     if (!op.name.empty()) names_.unique(op.name);
   for (const Memory& memory : process.memories) names_.unique(memory.name);
@@ -60,7 +61,7 @@ void ProcessEmitter::emit_operation(ValueId id, int block) {
   const Operation& op = process_[id];
   Place at{block, schedule_.start[id]};
   if (op.kind == OpKind::kPhi) {
-    registers_ << "    reg " << range_text_spaced(op.bits) << op.name << ";\n";
+    if (!shared_phis_.count(id)) registers_ << "    reg " << range_text_spaced(op.bits) << op.name << ";\n";
     return;
   }
   std::string where =
@@ -111,7 +112,7 @@ std::string ProcessEmitter::state_declarations() const {
 std::string ProcessEmitter::loop_resets() const {
   std::string out;
   for (size_t block = 0; block < process_.blocks.size(); ++block)
-    if (is_loop(block))
+    if (has_stages(block))
       out += "            " + block_of(block).name + "_active <= " + std::to_string(timing(block).length) +
              "'d0;\n";
   return out;

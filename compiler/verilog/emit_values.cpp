@@ -9,13 +9,18 @@ std::string ProcessEmitter::signal(ValueId id, Place at) {
   if (op.block != at.block) return held(id);
   if (is_loop(at.block)) {
     int copy = copy_of(id, at.cycle);
-    if (copy == 0) return op.name;
+    if (copy == 0) return own_name(id);
     int& copies = copies_[id];
     copies = std::max(copies, copy);
     return copy_name(id, copy);
   }
   if (op.kind == OpKind::kPhi || at.cycle <= schedule_.ready[id]) return op.name;
   return held(id);
+}
+
+const std::string& ProcessEmitter::own_name(ValueId id) const {
+  auto shared = shared_phis_.find(id);
+  return process_[shared == shared_phis_.end() ? id : shared->second].name;
 }
 
 /// A phi keeps its value until it takes that of the next iteration.
@@ -31,9 +36,25 @@ int ProcessEmitter::copy_of(ValueId id, int cycle) const {
   return late <= 0 ? 0 : (late + ii - 1) / ii;
 }
 
+ValueId ProcessEmitter::phi_with(ValueId id, int copy) const {
+  const Operation& op = process_[id];
+  const Block& loop = block_of(op.block);
+  int ii = timing(op.block).ii, taken = last_cycle(id) + (copy - 1) * ii;
+  for (ValueId candidate : loop.operations) {
+    const Operation& phi = process_[candidate];
+    if (phi.kind != OpKind::kPhi) break;
+    for (size_t k = 0; k < phi.operands.size(); ++k)
+      if (loop.predecessors[k] == op.block && phi.operands[k] == id && candidate != id &&
+          phi.bits == op.bits && last_cycle(candidate) == taken)
+        return candidate;
+  }
+  return kNoValue;
+}
+
 std::string ProcessEmitter::copy_name(ValueId id, int copy) const {
   const Operation& op = process_[id];
-  if (copy == 0) return op.name;
+  if (copy == 0) return own_name(id);
+  if (ValueId phi = phi_with(id, copy); phi != kNoValue) return own_name(phi);
   int first = last_cycle(id) + (copy - 1) * timing(op.block).ii + 1;
   return op.name + "_s" + std::to_string(first);
 }
@@ -73,7 +94,7 @@ void ProcessEmitter::emit_held_values() {
 }
 
 /// Every copy is taken when the one before is about to change: each cycle in a loop with II = 1, else once an
-/// iteration.
+/// iteration. A phi that takes the value then is that copy.
 void ProcessEmitter::emit_copies() {
   std::map<std::string, std::ostringstream> by_enable;
   std::vector<std::string> order;
@@ -81,6 +102,7 @@ void ProcessEmitter::emit_copies() {
     const Operation& op = process_[id];
     int ii = timing(op.block).ii;
     for (int copy = 1; copy <= copies; ++copy) {
+      if (phi_with(id, copy) != kNoValue) continue;
       Place at{op.block, last_cycle(id) + (copy - 1) * ii};
       std::string take = ii == 1 ? enable(at) : happens(at);
       if (!by_enable.count(take)) order.push_back(take);

@@ -46,6 +46,8 @@ class ProcessEmitter {
   const Block& block_of(int block) const { return process_.blocks[block]; }
   const BlockSchedule& timing(int block) const { return schedule_.blocks[block]; }
   bool is_loop(int block) const { return block_of(block).is_loop; }
+  /// A loop of a single stage is at work whenever control is there.
+  bool has_stages(int block) const { return is_loop(block) && timing(block).length > 1; }
   std::string describe(int block) const;
   void emit_operation(ValueId id, int block);
   std::string assembled();
@@ -82,6 +84,8 @@ class ProcessEmitter {
   LoopExit loop_exit(int block) const;
   /// The iteration in `cycle` is the last one; the condition must be there.
   std::string leaves(int block, int cycle);
+  /// The iteration in the last stage is the last one.
+  std::string is_last(int block, const LoopExit& exit);
   std::string stays(int block, int cycle);
   /// Whether the next iteration enters.
   std::string issue_of(int block, const LoopExit& exit);
@@ -92,11 +96,16 @@ class ProcessEmitter {
   // Values and the registers that carry them (emit_values.cpp)
   /// The signal that holds `id` where control is at `at`; notes the registers this takes.
   std::string signal(ValueId id, Place at);
+  /// The wire of a value, or the register of a phi.
+  const std::string& own_name(ValueId id) const;
   /// A pipeline carries a value in copies while the next iterations make theirs. The last cycle in which the
   /// value itself is there:
   int last_cycle(ValueId id) const;
   /// Which copy holds it in `cycle`, each for II cycles; 0: the value itself.
   int copy_of(ValueId id, int cycle) const;
+  /// The phi that takes the value for the next iteration when a copy would be taken, and so holds the same;
+  /// kNoValue: there is none.
+  ValueId phi_with(ValueId id, int copy) const;
   std::string copy_name(ValueId id, int copy) const;
   /// The register that keeps `id` after its block.
   std::string held(ValueId id);
@@ -159,6 +168,7 @@ class ProcessEmitter {
 
   const Process& process_;
   const ProcessSchedule& schedule_;
+  const std::map<ValueId, ValueId> shared_phis_;
   const bool has_probes_;
   NameTable names_;
   std::vector<std::string> states_;

@@ -39,10 +39,7 @@ module binarize (
 
     reg [8:0] at_3;
     reg [9:0] at_4;
-    reg for_2_active;  // stages at work
     reg [7:0] high_q;
-    reg [9:0] at_q;
-    reg [8:0] at_2_q;
 
     wire stall;
     wire for_2_ce;
@@ -53,10 +50,6 @@ module binarize (
     wire test_2 = thresholds_data > parameters_floor_V;  // binarize.h:17
     wire [7:0] data = test_2 ? thresholds_data : parameters_floor_V;  // binarize.h:17
     wire [7:0] high = test ? data : parameters_override_high_V;  // binarize.h:17
-    wire [9:0] value = width[9:0];  // raster.h:26
-    wire [9:0] at = value + 10'd1023;  // raster.h:26
-    wire [8:0] value_2 = height[8:0];  // raster.h:26
-    wire [8:0] at_2 = value_2 + 9'd511;  // raster.h:26
 
     // binarize.h:30:3: loop for_2, II = 1, 1 stage
     wire [7:0] in_data = in_dout;  // binarize.h:33
@@ -64,21 +57,21 @@ module binarize (
     wire test_4 = in_data > parameters_low_V;  // binarize.h:34
     wire [1:0] chosen = test_3 ? 2'd2 : 2'd0;  // binarize.h:34
     wire [1:0] either = chosen | {1'd0, test_4};  // binarize.h:34
-    wire test_5 = at_4 == at_q;  // raster.h:28
-    wire test_6 = at_3 == at_2_q;  // raster.h:32
-    wire [9:0] sum = at_4 + 10'd1;  // raster.h:32
-    wire [9:0] at_5 = test_5 ? 10'd0 : sum;  // raster.h:32
-    wire [8:0] at_6 = at_3 + {8'd0, test_5};  // raster.h:32
+    wire test_5 = at_4 == 10'd1;  // raster.h:28
+    wire test_6 = at_3 == 9'd1;  // raster.h:32
+    wire [9:0] sum = at_4 - 10'd1;  // raster.h:32
+    wire [9:0] at_5 = test_5 ? width[9:0] : sum;  // raster.h:32
+    wire [8:0] at_6 = at_3 - {8'd0, test_5};  // raster.h:32
     wire at_7 = test_5 & test_6;  // binarize.h:30
 
     // binarize.h:36:18: for_3
 
     assign stall = ((state == S_ENTRY) & ~thresholds_empty_n) | ((state == S_FOR_3) & ~threshold_used_full_n);
-    assign for_2_ce = ~((for_2_active & ~in_empty_n) | (for_2_active & ~out_full_n));
+    assign for_2_ce = ~(((state == S_FOR_2) & ~in_empty_n) | ((state == S_FOR_2) & ~out_full_n));
 
-    assign in_read = (for_2_active & for_2_ce);
+    assign in_read = ((state == S_FOR_2) & for_2_ce);
     assign thresholds_read = ((state == S_ENTRY) & ~stall);
-    assign out_write = (for_2_active & for_2_ce);
+    assign out_write = ((state == S_FOR_2) & for_2_ce);
     assign out_din = either;
     assign threshold_used_write = ((state == S_FOR_3) & ~stall);
     assign threshold_used_din = high_q;
@@ -88,20 +81,16 @@ module binarize (
     assign ap_ready = ap_done & ap_continue;
 
     always @(posedge clk) begin
-        if (for_2_ce) begin
-            for_2_active <= for_2_active & ~at_7;
-        end
-        if (for_2_active & for_2_ce) at_3 <= at_6;
-        if (for_2_active & for_2_ce) at_4 <= at_5;
+        if ((state == S_FOR_2) & for_2_ce) at_3 <= at_6;
+        if ((state == S_FOR_2) & for_2_ce) at_4 <= at_5;
         case (state)
             S_IDLE: if (ap_start) begin
                 state <= S_ENTRY;
             end
             S_ENTRY: if (~stall) begin
                 state <= S_FOR_2;
-                for_2_active <= 1'b1;
             end
-            S_FOR_2: if (for_2_active & for_2_ce & at_7) begin
+            S_FOR_2: if ((state == S_FOR_2) & for_2_ce & at_7) begin
                 state <= S_FOR_3;
             end
             S_FOR_3: if (~stall) begin
@@ -111,19 +100,16 @@ module binarize (
             default: state <= S_IDLE;
         endcase
         if ((state == S_ENTRY) & ~stall) begin
-            at_3 <= 9'd0;
-            at_4 <= 10'd0;
+            at_3 <= height[8:0];
+            at_4 <= width[9:0];
         end
         if (rst) begin
             state <= S_IDLE;
-            for_2_active <= 1'd0;
         end
     end
 
     always @(posedge clk) begin
         if ((state == S_ENTRY) & ~stall) high_q <= high;
-        if ((state == S_ENTRY) & ~stall) at_q <= at;
-        if ((state == S_ENTRY) & ~stall) at_2_q <= at_2;
     end
 
 endmodule

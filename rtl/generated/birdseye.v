@@ -53,19 +53,17 @@ module birdseye (
     reg test_s2;
     reg test_s3;
     reg test_s4;
-    reg contact_11_s1;
     reg contact_11_s2;
     reg contact_11_s3;
     reg [31:0] value_4_s1;
     reg [29:0] value_5_s1;
     reg [28:0] product_2_s1;
     reg [27:0] value_13_s1;
-    reg [26:0] value_16_s1;
+    reg [14:0] shifted_6_s1;
     reg [46:0] either_s2;
     reg [24:0] value_23_s3;
     reg [31:0] shifted_10_s4;
     reg [12:0] shifted_15_s3;
-    reg [23:0] value_36_s4;
     reg test_10_s3;
     reg test_10_s4;
     reg both_16_s3;
@@ -78,7 +76,6 @@ module birdseye (
     reg both_18_s2;
     reg both_18_s3;
     reg both_18_s4;
-    reg [44:0] either_4_s1;
     reg [44:0] either_4_s2;
     reg [44:0] either_4_s3;
     reg [93:0] either_7_s4;
@@ -130,9 +127,9 @@ module birdseye (
     wire [27:0] value_13 = product_3;  // birdseye.h:37
     wire [27:0] sum_4 = {{12{shifted_4[15]}}, shifted_4} + value_13_s1;  // birdseye.h:37
     wire [14:0] shifted_6 = chosen_4[31:17];  // birdseye.h:37
-    wire [26:0] product_4 = $signed(shifted_6) * $signed({1'd0, contact_9});  // birdseye.h:37
+    wire [26:0] product_4 = $signed(shifted_6_s1) * $signed({1'd0, contact_4});  // birdseye.h:37
     wire [26:0] value_16 = product_4;  // birdseye.h:37
-    wire [28:0] sum_5 = {{1{sum_4[27]}}, sum_4} + {{2{value_16_s1[26]}}, value_16_s1};  // birdseye.h:37
+    wire [28:0] sum_5 = {{1{sum_4[27]}}, sum_4} + {{2{value_16[26]}}, value_16};  // birdseye.h:37
     wire [29:0] value_17 = {{1{sum_5[28]}}, sum_5};  // birdseye.h:38
     wire [46:0] shifted_7 = {value_17, 17'd0};  // birdseye.h:38
     wire [16:0] both_4 = sum_3[16:0];  // birdseye.h:38
@@ -178,8 +175,8 @@ module birdseye (
     wire [16:0] denominator_3 = test_s3 ? shifted_17 : denominator_2;  // birdseye.h:66
     wire [2:0] denominator_4 = test_s2 ? chosen_10 : denominator;  // birdseye.h:66
     wire [23:0] value_35 = shifted_10[23:0];  // birdseye.h:26
-    wire [23:0] value_36 = value_35;  // birdseye.h:26
-    wire test_9 = shifted_10_s4 == {{8{value_36_s4[23]}}, value_36_s4};  // birdseye.h:26
+    wire [23:0] value_36 = x;  // birdseye.h:26
+    wire test_9 = shifted_10_s4 == {{8{value_36[23]}}, value_36};  // birdseye.h:26
     wire test_10 = {{18{value_23[24]}}, value_23} == shifted_8;  // birdseye.h:26
     wire both_14 = on_floor & test_10_s4;  // birdseye.h:73
     wire both_15 = both_14 & test_9;  // birdseye.h:73
@@ -192,11 +189,11 @@ module birdseye (
     wire differs = ~contact_12;  // birdseye.h:54
     wire both_18 = test_12 & differs;  // birdseye.h:54
     wire both_19 = both_18_s4 & both_15;  // birdseye.h:54
-    wire [20:0] shifted_18 = {contact_8, 8'd0};  // birdseye.h:81
-    wire [20:0] either_2 = shifted_18 | {13'd0, contact_7};  // birdseye.h:81
-    wire [32:0] shifted_19 = {contact_9, 21'd0};  // birdseye.h:81
+    wire [20:0] shifted_18 = {contact_5, 8'd0};  // birdseye.h:81
+    wire [20:0] either_2 = shifted_18 | {13'd0, contact_6};  // birdseye.h:81
+    wire [32:0] shifted_19 = {contact_4, 21'd0};  // birdseye.h:81
     wire [32:0] either_3 = {12'd0, either_2} | shifted_19;  // birdseye.h:81
-    wire [44:0] shifted_20 = {contact_10, 33'd0};  // birdseye.h:81
+    wire [44:0] shifted_20 = {contact_3, 33'd0};  // birdseye.h:81
     wire [44:0] either_4 = {12'd0, either_3} | shifted_20;  // birdseye.h:81
     wire [68:0] shifted_21 = {x, 45'd0};  // birdseye.h:81
     wire [68:0] either_5 = {24'd0, either_4_s3} | shifted_21;  // birdseye.h:81
@@ -391,7 +388,7 @@ module birdseye (
                 state <= S_WHILE_2;
                 while_2_active[0] <= 1'b1;
             end
-            S_WHILE_2: if (while_2_active[4] & while_2_ce & both_17_s4) begin
+            S_WHILE_2: if (while_2_active[4] & while_2_ce & ~|while_2_active[3:0]) begin
                 state <= S_DONE;
             end
             S_DONE: if (ap_continue) state <= S_IDLE;
@@ -423,13 +420,12 @@ module birdseye (
             test_s2 <= test_s1;
             test_s3 <= test_s2;
             test_s4 <= test_s3;
-            contact_11_s2 <= contact_11_s1;
+            contact_11_s2 <= contact_2;
             contact_11_s3 <= contact_11_s2;
             either_s2 <= either;
             value_23_s3 <= value_23;
             shifted_10_s4 <= shifted_10;
             shifted_15_s3 <= shifted_15;
-            value_36_s4 <= value_36;
             test_10_s3 <= test_10;
             test_10_s4 <= test_10_s3;
             both_16_s3 <= both_16;
@@ -440,21 +436,19 @@ module birdseye (
             both_18_s2 <= both_18_s1;
             both_18_s3 <= both_18_s2;
             both_18_s4 <= both_18_s3;
-            either_4_s2 <= either_4_s1;
+            either_4_s2 <= either_4;
             either_4_s3 <= either_4_s2;
             either_7_s4 <= either_7;
         end
         if (while_2_front_ce) begin
             test_s1 <= test;
-            contact_11_s1 <= contact_11;
             value_4_s1 <= value_4;
             value_5_s1 <= value_5;
             product_2_s1 <= product_2;
             value_13_s1 <= value_13;
-            value_16_s1 <= value_16;
+            shifted_6_s1 <= shifted_6;
             both_17_s1 <= both_17;
             both_18_s1 <= both_18;
-            either_4_s1 <= either_4;
         end
     end
 

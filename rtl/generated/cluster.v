@@ -41,7 +41,6 @@ module cluster (
     reg [3:0] state;
 
     reg [8:0] line;
-    reg for_3_active;  // stages at work
     reg [2:0] for_6_active;  // stages at work
     reg found;
     reg [7:0] nearest;
@@ -49,7 +48,6 @@ module cluster (
     reg [7:0] first_line;
     reg [7:0] last_line;
     reg [7:0] next;
-    reg [8:0] line_2;
     reg [8:0] lines;
     reg [34:0] next_range;
     reg [2:0] for_10_active;  // stages at work
@@ -81,9 +79,6 @@ module cluster (
     reg either_2_s2;
     reg [7:0] value_36_s1;
     reg [7:0] value_36_s2;
-    reg [7:0] last_line_2_s2;
-    reg test_10_s1;
-    reg test_10_s2;
     reg [85:0] candidates_6_store_word_s1;
 
     wire stall;
@@ -173,7 +168,7 @@ module cluster (
     wire [16:0] value_24 = y;
 
     // cluster.h:115:5: loop for_10, II = 1, 3 stages
-    wire [7:0] value_25 = line_2[7:0];  // cluster.h:120
+    wire [7:0] value_25 = line[7:0];  // cluster.h:120
     wire [85:0] candidates_4_data_3_element = candidates_q;  // cluster.h:120
     wire [23:0] candidates_4_data_3_0_part = candidates_4_data_3_element[23:0];  // cluster.h:120
     wire [23:0] candidates_4_data_3 = candidates_4_data_3_0_part;  // cluster.h:120
@@ -212,7 +207,7 @@ module cluster (
     wire either_2 = either | both_17;
     wire test_8 = next_range > {1'd0, sum_4_s2};
     wire both_18 = present_data_2_s2 & test_8;  // cluster.h:130
-    wire [7:0] value_36 = line_2[7:0];  // cluster.h:130
+    wire [7:0] value_36 = line[7:0];  // cluster.h:130
     wire test_9 = lines == 9'd0;  // cluster.h:127
     wire [7:0] chosen = test_9 ? value_36_s2 : first_line;  // cluster.h:127
     wire both_19 = either_2_s2 & both_18;  // cluster.h:126
@@ -222,7 +217,7 @@ module cluster (
     wire [7:0] next_2 = both_19 ? value_36_s2 : next;  // cluster.h:126
     wire [7:0] last_line_2 = either_2 ? last_line : value_36_s1;  // cluster.h:126
     wire [7:0] first_line_2 = either_2_s2 ? first_line : chosen;  // cluster.h:126
-    wire [8:0] sum_5 = line_2 + 9'd1;  // cluster.h:115
+    wire [8:0] sum_5 = line + 9'd1;  // cluster.h:115
     wire test_10 = sum_5 < line_count;  // cluster.h:115
 
     // cluster.h:112:15: for_12
@@ -274,7 +269,7 @@ module cluster (
             present_words[present_index] = 1'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if ((for_3_active & for_3_ce) | (for_6_active[2] & for_6_ce & both_8) | (for_10_active[1] & for_10_ce & both_16)) present_words[for_3_active ? value_2 : for_6_active[2] & both_8 ? value_9_s1 : value_25_s1] <= for_3_active ? 1'd0 : for_6_active[2] & both_8 ? 1'd1 : 1'd0;
+        if (((state == S_FOR_3) & for_3_ce) | (for_6_active[2] & for_6_ce & both_8) | (for_10_active[1] & for_10_ce & both_16)) present_words[(state == S_FOR_3) ? value_2 : for_6_active[2] & both_8 ? value_9_s1 : value_25_s1] <= (state == S_FOR_3) ? 1'd0 : for_6_active[2] & both_8 ? 1'd1 : 1'd0;
         if ((for_6_active[1] & for_6_ce) | (for_10_active[0] & for_10_ce)) present_read <= present_words[for_6_active[1] ? value_9_s1 : value_25];
     end
 
@@ -301,10 +296,7 @@ module cluster (
     assign ap_ready = ap_done & ap_continue;
 
     always @(posedge clk) begin
-        if (for_3_ce) begin
-            for_3_active <= for_3_active & test_2;
-        end
-        if (for_3_active & for_3_ce) line <= sum;
+        if ((state == S_FOR_3) & for_3_ce) line <= sum;
         if (for_6_ce) begin
             for_6_active[0] <= for_6_active[2] & end_2_s1;
             for_6_active[1] <= for_6_active[0];
@@ -318,7 +310,7 @@ module cluster (
         if (for_10_active[2] & for_10_ce) first_line <= first_line_2;
         if (for_10_active[1] & for_10_ce) last_line <= last_line_2;
         if (for_10_active[2] & for_10_ce) next <= next_2;
-        if (for_10_active[0] & for_10_ce) line_2 <= sum_5;
+        if (for_10_active[0] & for_10_ce) line <= sum_5;
         if (for_10_active[2] & for_10_ce) lines <= lines_2;
         if (for_10_active[2] & for_10_ce) next_range <= next_range_2;
         case (state)
@@ -331,10 +323,9 @@ module cluster (
                     for_6_active[0] <= 1'b1;
                 end else begin
                     state <= S_FOR_3;
-                    for_3_active <= 1'b1;
                 end
             end
-            S_FOR_3: if (for_3_active & for_3_ce & ~test_2) begin
+            S_FOR_3: if ((state == S_FOR_3) & for_3_ce & ~test_2) begin
                 state <= S_FOR_6;
                 for_6_active[0] <= 1'b1;
             end
@@ -358,7 +349,7 @@ module cluster (
                 state <= S_FOR_10;
                 for_10_active[0] <= 1'b1;
             end
-            S_FOR_10: if (for_10_active[2] & for_10_ce & ~test_10_s2) begin
+            S_FOR_10: if (for_10_active[2] & for_10_ce & ~|for_10_active[1:0]) begin
                 state <= S_FOR_12;
             end
             S_FOR_12: if (~stall) begin
@@ -403,15 +394,15 @@ module cluster (
             first_line <= 8'd0;
             last_line <= 8'd0;
             next <= 8'd0;
-            line_2 <= 9'd0;
+            line <= 9'd0;
             lines <= 9'd0;
             next_range <= 35'h7FFFFFFFF;
         end
-        if (for_10_active[2] & for_10_ce & ~test_10_s2) begin
+        if (for_10_active[2] & for_10_ce & ~|for_10_active[1:0]) begin
             next_range_3 <= next_range_2;
             lines_3 <= lines_2;
             nearest_2 <= next_2;
-            obstacle <= last_line_2_s2;
+            obstacle <= last_line;
             obstacle_2 <= first_line_2;
         end
         if ((state == S_IF_3) & ~stall & both_27) begin
@@ -421,7 +412,6 @@ module cluster (
         end
         if (rst) begin
             state <= S_IDLE;
-            for_3_active <= 1'd0;
             for_6_active <= 3'd0;
             for_10_active <= 3'd0;
         end
@@ -455,9 +445,6 @@ module cluster (
             either_2_s2 <= either_2;
             value_36_s1 <= value_36;
             value_36_s2 <= value_36_s1;
-            last_line_2_s2 <= last_line_2;
-            test_10_s1 <= test_10;
-            test_10_s2 <= test_10_s1;
         end
     end
 

@@ -25,25 +25,15 @@ module difference (
 );
 
     localparam [1:0] S_IDLE = 2'd0;
-    localparam [1:0] S_ENTRY = 2'd1;
-    localparam [1:0] S_FOR_2 = 2'd2;
-    localparam [1:0] S_DONE = 2'd3;
+    localparam [1:0] S_FOR_2 = 2'd1;
+    localparam [1:0] S_DONE = 2'd2;
     reg [1:0] state;
 
     reg [8:0] at_3;
     reg [9:0] at_4;
-    reg for_2_active;  // stages at work
-    reg [9:0] at_q;
-    reg [8:0] at_2_q;
 
     wire stall;
     wire for_2_ce;
-
-    // raster.h:26:39: entry
-    wire [9:0] value = width[9:0];  // raster.h:26
-    wire [9:0] at = value + 10'd1023;  // raster.h:26
-    wire [8:0] value_2 = height[8:0];  // raster.h:26
-    wire [8:0] at_2 = value_2 + 9'd511;  // raster.h:26
 
     // difference.h:19:3: loop for_2, II = 1, 1 stage
     wire [24:0] in_data = in_dout;  // difference.h:22
@@ -59,20 +49,20 @@ module difference (
     wire [7:0] changed = test ? 8'd0 : chosen;  // difference.h:23
     wire [15:0] both_3 = pair & 16'd65280;  // difference.h:26
     wire [15:0] either = both_3 | {8'd0, changed};  // difference.h:26
-    wire test_3 = at_4 == at_q;  // raster.h:28
-    wire test_4 = at_3 == at_2_q;  // raster.h:32
-    wire [9:0] sum = at_4 + 10'd1;  // raster.h:32
-    wire [9:0] at_5 = test_3 ? 10'd0 : sum;  // raster.h:32
-    wire [8:0] at_6 = at_3 + {8'd0, test_3};  // raster.h:32
+    wire test_3 = at_4 == 10'd1;  // raster.h:28
+    wire test_4 = at_3 == 9'd1;  // raster.h:32
+    wire [9:0] sum = at_4 - 10'd1;  // raster.h:32
+    wire [9:0] at_5 = test_3 ? width[9:0] : sum;  // raster.h:32
+    wire [8:0] at_6 = at_3 - {8'd0, test_3};  // raster.h:32
     wire at_7 = test_3 & test_4;  // difference.h:19
 
     assign stall = 1'b0;
-    assign for_2_ce = ~((for_2_active & ~in_empty_n) | (for_2_active & ~out_full_n) | (for_2_active & ~changes_full_n));
+    assign for_2_ce = ~(((state == S_FOR_2) & ~in_empty_n) | ((state == S_FOR_2) & ~out_full_n) | ((state == S_FOR_2) & ~changes_full_n));
 
-    assign in_read = (for_2_active & for_2_ce);
-    assign out_write = (for_2_active & for_2_ce);
+    assign in_read = ((state == S_FOR_2) & for_2_ce);
+    assign out_write = ((state == S_FOR_2) & for_2_ce);
     assign out_din = changed;
-    assign changes_write = (for_2_active & for_2_ce);
+    assign changes_write = ((state == S_FOR_2) & for_2_ce);
     assign changes_din = either;
 
     assign ap_idle = (state == S_IDLE);
@@ -80,38 +70,25 @@ module difference (
     assign ap_ready = ap_done & ap_continue;
 
     always @(posedge clk) begin
-        if (for_2_ce) begin
-            for_2_active <= for_2_active & ~at_7;
-        end
-        if (for_2_active & for_2_ce) at_3 <= at_6;
-        if (for_2_active & for_2_ce) at_4 <= at_5;
+        if ((state == S_FOR_2) & for_2_ce) at_3 <= at_6;
+        if ((state == S_FOR_2) & for_2_ce) at_4 <= at_5;
         case (state)
             S_IDLE: if (ap_start) begin
-                state <= S_ENTRY;
-            end
-            S_ENTRY: if (~stall) begin
                 state <= S_FOR_2;
-                for_2_active <= 1'b1;
             end
-            S_FOR_2: if (for_2_active & for_2_ce & at_7) begin
+            S_FOR_2: if ((state == S_FOR_2) & for_2_ce & at_7) begin
                 state <= S_DONE;
             end
             S_DONE: if (ap_continue) state <= S_IDLE;
             default: state <= S_IDLE;
         endcase
-        if ((state == S_ENTRY) & ~stall) begin
-            at_3 <= 9'd0;
-            at_4 <= 10'd0;
+        if ((state == S_IDLE) & ap_start) begin
+            at_3 <= height[8:0];
+            at_4 <= width[9:0];
         end
         if (rst) begin
             state <= S_IDLE;
-            for_2_active <= 1'd0;
         end
-    end
-
-    always @(posedge clk) begin
-        if ((state == S_ENTRY) & ~stall) at_q <= at;
-        if ((state == S_ENTRY) & ~stall) at_2_q <= at_2;
     end
 
 endmodule

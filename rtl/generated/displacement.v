@@ -80,8 +80,6 @@ module displacement (
     reg [11:0] difference_4_s1;
     reg [1:0] chosen_9_s2;
     reg both_s1;
-    reg either_2_s1;
-    reg either_2_s2;
 
     wire stall;
     wire for_2_ce;
@@ -211,7 +209,7 @@ module displacement (
                 state <= S_FOR_2;
                 for_2_active[0] <= 1'b1;
             end
-            S_FOR_2: if (for_2_active[2] & for_2_ce & ~either_2_s2) begin
+            S_FOR_2: if (for_2_active[2] & for_2_ce & ~|for_2_active[1:0]) begin
                 state <= S_DONE;
             end
             S_DONE: if (ap_continue) state <= S_IDLE;
@@ -274,12 +272,10 @@ module displacement (
             test_7_s1 <= test_7;
             difference_4_s1 <= difference_4;
             both_s1 <= both;
-            either_2_s1 <= either_2;
         end
         if (for_2_ce) begin
             either_s2 <= either_s1;
             chosen_9_s2 <= chosen_9;
-            either_2_s2 <= either_2_s1;
         end
     end
 

@@ -27,7 +27,6 @@ module duplicate (
     localparam [1:0] S_DONE = 2'd2;
     reg [1:0] state;
 
-    reg while_2_active;  // stages at work
 
     wire stall;
     wire while_2_ce;
@@ -37,12 +36,12 @@ module duplicate (
     wire element = in_data[94];  // duplicate.h:17
 
     assign stall = 1'b0;
-    assign while_2_ce = ~((while_2_active & ~in_empty_n) | (while_2_active & ~first_full_n) | (while_2_active & ~second_full_n));
+    assign while_2_ce = ~(((state == S_WHILE_2) & ~in_empty_n) | ((state == S_WHILE_2) & ~first_full_n) | ((state == S_WHILE_2) & ~second_full_n));
 
-    assign in_read = (while_2_active & while_2_ce);
-    assign first_write = (while_2_active & while_2_ce);
+    assign in_read = ((state == S_WHILE_2) & while_2_ce);
+    assign first_write = ((state == S_WHILE_2) & while_2_ce);
     assign first_din = in_data;
-    assign second_write = (while_2_active & while_2_ce);
+    assign second_write = ((state == S_WHILE_2) & while_2_ce);
     assign second_din = in_data;
 
     assign ap_idle = (state == S_IDLE);
@@ -50,15 +49,11 @@ module duplicate (
     assign ap_ready = ap_done & ap_continue;
 
     always @(posedge clk) begin
-        if (while_2_ce) begin
-            while_2_active <= while_2_active & ~element;
-        end
         case (state)
             S_IDLE: if (ap_start) begin
                 state <= S_WHILE_2;
-                while_2_active <= 1'b1;
             end
-            S_WHILE_2: if (while_2_active & while_2_ce & element) begin
+            S_WHILE_2: if ((state == S_WHILE_2) & while_2_ce & element) begin
                 state <= S_DONE;
             end
             S_DONE: if (ap_continue) state <= S_IDLE;
@@ -66,7 +61,6 @@ module duplicate (
         endcase
         if (rst) begin
             state <= S_IDLE;
-            while_2_active <= 1'd0;
         end
     end
 

@@ -48,8 +48,6 @@ module erode (
     reg brmerge_s1;
     reg brmerge_s2;
     reg [1:0] either_5_s2;
-    reg either_7_s1;
-    reg either_7_s2;
 
     wire stall;
     wire for_2_ce;
@@ -165,7 +163,7 @@ module erode (
                 state <= S_FOR_2;
                 for_2_active[0] <= 1'b1;
             end
-            S_FOR_2: if (for_2_active[2] & for_2_ce & ~either_7_s2) begin
+            S_FOR_2: if (for_2_active[2] & for_2_ce & ~|for_2_active[1:0]) begin
                 state <= S_DONE;
             end
             S_DONE: if (ap_continue) state <= S_IDLE;
@@ -196,13 +194,11 @@ module erode (
             test_2_s1 <= test_2;
             in_data_s1 <= in_data;
             brmerge_s1 <= brmerge;
-            either_7_s1 <= either_7;
         end
         if (for_2_ce) begin
             bottom_s2 <= bottom;
             brmerge_s2 <= brmerge_s1;
             either_5_s2 <= either_5;
-            either_7_s2 <= either_7_s1;
         end
     end
 

@@ -38,7 +38,6 @@ module gaussian (
     wire [15:0] rows_above_q;
     reg [9:0] at_q;
     reg test_q;
-    reg [15:0] middle_s4;
     reg at_4_s1;
     reg [9:0] at_7_s1;
     reg test_2_s1;
@@ -55,10 +54,6 @@ module gaussian (
     reg test_6_s2;
     reg test_6_s3;
     reg [25:0] product_2_s4;
-    reg either_5_s1;
-    reg either_5_s2;
-    reg either_5_s3;
-    reg either_5_s4;
 
     wire stall;
     wire for_2_ce;
@@ -105,7 +100,7 @@ module gaussian (
     wire [16:0] sum_4 = {1'd0, chosen} + {1'd0, chosen_2};  // gaussian.h:17
     wire [16:0] shifted_6 = {middle, 1'd0};  // gaussian.h:17
     wire [17:0] difference_2 = {1'd0, sum_4} - {1'd0, shifted_6};  // gaussian.h:17
-    wire [25:0] shifted_7 = {middle_s4, 10'd0};  // gaussian.h:18
+    wire [25:0] shifted_7 = {left, 10'd0};  // gaussian.h:18
     wire [17:0] value_18 = difference_2;  // gaussian.h:18
     wire [25:0] product_2 = $signed(value_18) * $signed(9'd245);  // gaussian.h:18
     wire [25:0] sum_5 = shifted_7 + product_2_s4;  // gaussian.h:18
@@ -182,7 +177,7 @@ module gaussian (
                 state <= S_FOR_2;
                 for_2_active[0] <= 1'b1;
             end
-            S_FOR_2: if (for_2_active[4] & for_2_ce & ~either_5_s4) begin
+            S_FOR_2: if (for_2_active[4] & for_2_ce & ~|for_2_active[3:0]) begin
                 state <= S_DONE;
             end
             S_DONE: if (ap_continue) state <= S_IDLE;
@@ -206,8 +201,14 @@ module gaussian (
     always @(posedge clk) begin
         if ((state == S_ENTRY) & ~stall) at_q <= at;
         if ((state == S_ENTRY) & ~stall) test_q <= test;
+        if (for_2_front_ce) begin
+            at_4_s1 <= at_4;
+            at_7_s1 <= at_7;
+            test_2_s1 <= test_2;
+            in_data_s1 <= in_data;
+            either_2_s1 <= either_2;
+        end
         if (for_2_ce) begin
-            middle_s4 <= middle;
             both_2_s2 <= both_2;
             value_11_s2 <= value_11;
             sum_3_s3 <= sum_3;
@@ -219,17 +220,6 @@ module gaussian (
             test_6_s2 <= test_6;
             test_6_s3 <= test_6_s2;
             product_2_s4 <= product_2;
-            either_5_s2 <= either_5_s1;
-            either_5_s3 <= either_5_s2;
-            either_5_s4 <= either_5_s3;
-        end
-        if (for_2_front_ce) begin
-            at_4_s1 <= at_4;
-            at_7_s1 <= at_7;
-            test_2_s1 <= test_2;
-            in_data_s1 <= in_data;
-            either_2_s1 <= either_2;
-            either_5_s1 <= either_5;
         end
     end
 

@@ -23,30 +23,20 @@ module luma (
 );
 
     localparam [1:0] S_IDLE = 2'd0;
-    localparam [1:0] S_ENTRY = 2'd1;
-    localparam [1:0] S_FOR_2 = 2'd2;
-    localparam [1:0] S_DONE = 2'd3;
+    localparam [1:0] S_FOR_2 = 2'd1;
+    localparam [1:0] S_DONE = 2'd2;
     reg [1:0] state;
 
     reg [8:0] at_3;
     reg [9:0] at_4;
     reg [1:0] for_2_active;  // stages at work
-    reg [9:0] at_q;
-    reg [8:0] at_2_q;
     reg [23:0] sum_s1;
     reg [21:0] product_2_s1;
     reg [7:0] value_11_s1;
-    reg at_7_s1;
 
     wire stall;
     wire for_2_ce;
     wire for_2_front_ce;
-
-    // raster.h:26:39: entry
-    wire [9:0] value = width[9:0];  // raster.h:26
-    wire [9:0] at = value + 10'd1023;  // raster.h:26
-    wire [8:0] value_2 = height[8:0];  // raster.h:26
-    wire [8:0] at_2 = value_2 + 9'd511;  // raster.h:26
 
     // luma.h:31:3: loop for_2, II = 1, 2 stages
     wire [23:0] in_data = in_dout;  // luma.h:34
@@ -66,11 +56,11 @@ module luma (
     wire [7:0] shifted_4 = sum_3[23:16];  // luma.h:24
     wire [7:0] value_11 = in_data[7:0];  // luma.h:35
     wire [7:0] chosen = grey ? value_11_s1 : shifted_4;  // luma.h:35
-    wire test = at_4 == at_q;  // raster.h:28
-    wire test_2 = at_3 == at_2_q;  // raster.h:32
-    wire [9:0] sum_4 = at_4 + 10'd1;  // raster.h:32
-    wire [9:0] at_5 = test ? 10'd0 : sum_4;  // raster.h:32
-    wire [8:0] at_6 = at_3 + {8'd0, test};  // raster.h:32
+    wire test = at_4 == 10'd1;  // raster.h:28
+    wire test_2 = at_3 == 9'd1;  // raster.h:32
+    wire [9:0] sum_4 = at_4 - 10'd1;  // raster.h:32
+    wire [9:0] at_5 = test ? width[9:0] : sum_4;  // raster.h:32
+    wire [8:0] at_6 = at_3 - {8'd0, test};  // raster.h:32
     wire at_7 = test & test_2;  // luma.h:31
 
     assign stall = 1'b0;
@@ -96,21 +86,18 @@ module luma (
         if (for_2_active[0] & for_2_front_ce) at_4 <= at_5;
         case (state)
             S_IDLE: if (ap_start) begin
-                state <= S_ENTRY;
-            end
-            S_ENTRY: if (~stall) begin
                 state <= S_FOR_2;
                 for_2_active[0] <= 1'b1;
             end
-            S_FOR_2: if (for_2_active[1] & for_2_ce & at_7_s1) begin
+            S_FOR_2: if (for_2_active[1] & for_2_ce & ~for_2_active[0]) begin
                 state <= S_DONE;
             end
             S_DONE: if (ap_continue) state <= S_IDLE;
             default: state <= S_IDLE;
         endcase
-        if ((state == S_ENTRY) & ~stall) begin
-            at_3 <= 9'd0;
-            at_4 <= 10'd0;
+        if ((state == S_IDLE) & ap_start) begin
+            at_3 <= height[8:0];
+            at_4 <= width[9:0];
         end
         if (rst) begin
             state <= S_IDLE;
@@ -119,13 +106,10 @@ module luma (
     end
 
     always @(posedge clk) begin
-        if ((state == S_ENTRY) & ~stall) at_q <= at;
-        if ((state == S_ENTRY) & ~stall) at_2_q <= at_2;
         if (for_2_front_ce) begin
             sum_s1 <= sum;
             product_2_s1 <= product_2;
             value_11_s1 <= value_11;
-            at_7_s1 <= at_7;
         end
     end
 

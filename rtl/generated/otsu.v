@@ -50,7 +50,6 @@ module otsu (
     reg [4:0] state;
 
     reg [7:0] level;
-    reg for_3_active;  // stages at work
     reg [18:0] count;
     reg [18:0] count_2;
     reg [8:0] at_3;
@@ -77,7 +76,6 @@ module otsu (
     reg [1:0] for_8_active;  // stages at work
     reg differs_4;
     reg [36:0] difference_6;
-    reg [1:0] at_11;
     reg [3:0] at_12;
     reg [2:0] for_10_active;  // stages at work
     reg [2:0] limb;
@@ -94,8 +92,6 @@ module otsu (
     reg [16:0] best_denominator [0:2];
     wire [16:0] best_numerator_q;
     wire [70:0] contenders_q;
-    reg [9:0] at_q;
-    reg [8:0] at_2_q;
     reg [18:0] sum_2_q;
     reg [8:0] contender_count_2_q;
     reg [7:0] contenders_0_data_q;
@@ -103,9 +99,8 @@ module otsu (
     reg [19:0] value_49_q;
     reg [36:0] sum_13_q;
     reg differs_5_q;
-    reg [7:0] in_data_s1;
-    reg [26:0] excess_s1;
-    reg at_7_s1;
+    reg both_s1;
+    reg both_2_s1;
     reg [18:0] below_s2;
     reg [7:0] shifted_s1;
     reg value_12_s1;
@@ -127,7 +122,6 @@ module otsu (
     reg [12:0] value_33_s6;
     reg [5:0] difference_2_s6;
     reg [24:0] sum_5_s7;
-    reg test_15_s2;
     reg both_12_s3;
     reg both_12_s4;
     reg both_12_s5;
@@ -150,17 +144,13 @@ module otsu (
     reg test_22_s1;
     reg [1:0] value_59_s1;
     reg test_23_s1;
-    reg test_24_s1;
     reg [1:0] at_11_s1;
     reg test_26_s1;
     reg test_27_s2;
     reg [34:0] value_81_s2;
     reg test_28_s1;
     reg test_28_s2;
-    reg test_30_s1;
-    reg test_30_s2;
     reg [2:0] limb_s1;
-    reg test_33_s1;
     reg [7:0] contenders_3_store_0_s2;
     reg [7:0] contenders_3_store_0_s3;
     reg [18:0] contenders_3_store_2_s3;
@@ -187,29 +177,25 @@ module otsu (
     wire test = level < 8'd255;  // otsu.h:250
 
     // otsu.h:255:11: if_3
-    wire [9:0] value = width[9:0];  // raster.h:26
-    wire [9:0] at = value + 10'd1023;  // raster.h:26
-    wire [8:0] value_2 = height[8:0];  // raster.h:26
-    wire [8:0] at_2 = value_2 + 9'd511;  // raster.h:26
 
     // histogram.h:41:3: loop for_4, II = 1, 2 stages
     wire [7:0] in_data = in_dout;  // histogram.h:46
-    wire test_2 = in_data_s1 != pixel_2;  // histogram.h:49
-    wire test_3 = in_data_s1 == pixel;  // histogram.h:51
+    wire test_2 = in_data != pixel_2;  // histogram.h:49
+    wire test_3 = in_data == pixel;  // histogram.h:51
     wire both = test_2 & test_3;
     wire differs = ~test_3;
     wire both_2 = test_2 & differs;
     wire [18:0] histogram_data = histogram_q;  // histogram.h:54
-    wire [18:0] chosen = both_2 ? histogram_data : count;  // histogram.h:54
-    wire [18:0] count_3 = both ? count_2 : chosen;  // histogram.h:54
+    wire [18:0] chosen = both_2_s1 ? histogram_data : count;  // histogram.h:54
+    wire [18:0] count_3 = both_s1 ? count_2 : chosen;  // histogram.h:54
     wire [18:0] sum = count_3 + 19'd1;  // histogram.h:56
     wire [18:0] sum_2 = value_4 + 19'd1;  // histogram.h:62
     wire [26:0] excess = value_3 + {19'd0, in_data};  // histogram.h:63
-    wire test_4 = at_4 == at_q;  // raster.h:28
-    wire test_5 = at_3 == at_2_q;  // raster.h:32
-    wire [9:0] sum_3 = at_4 + 10'd1;  // raster.h:32
-    wire [9:0] at_5 = test_4 ? 10'd0 : sum_3;  // raster.h:32
-    wire [8:0] at_6 = at_3 + {8'd0, test_4};  // raster.h:32
+    wire test_4 = at_4 == 10'd1;  // raster.h:28
+    wire test_5 = at_3 == 9'd1;  // raster.h:32
+    wire [9:0] sum_3 = at_4 - 10'd1;  // raster.h:32
+    wire [9:0] at_5 = test_4 ? width[9:0] : sum_3;  // raster.h:32
+    wire [8:0] at_6 = at_3 - {8'd0, test_4};  // raster.h:32
     wire at_7 = test_4 & test_5;  // histogram.h:41
 
     // otsu.h:273:3: loop cond, II = 1, 8 stages
@@ -220,7 +206,7 @@ module otsu (
     wire [35:0] product = $signed({1'd0, below_s2}) * $signed(value_15);  // otsu.h:279
     wire differs_2 = ~value_12_s1;
     wire [18:0] histogram_data_2 = histogram_q;  // otsu.h:282
-    wire test_6 = histogram_data_2_s2 != 19'd0;  // otsu.h:284
+    wire test_6 = histogram_data_2 != 19'd0;  // otsu.h:284
     wire [18:0] sum_4 = below + histogram_data_2;  // otsu.h:285
     wire [27:0] value_21 = excess_2;  // otsu.h:286
     wire [43:0] product_2 = $signed({1'd0, histogram_data_2_s2}) * $signed(value_21_s2);  // otsu.h:286
@@ -229,7 +215,7 @@ module otsu (
     wire [18:0] below_2 = value_12_s1 ? below : sum_4;  // otsu.h:283
     wire [18:0] chosen_3 = value_12_s1 ? 19'd0 : sum_2_q;  // otsu.h:283
     wire [27:0] excess_3 = excess_2 - {9'd0, chosen_3};  // otsu.h:283
-    wire occurs_2 = value_12_s2 ? occurs : test_6;  // otsu.h:283
+    wire occurs_2 = value_12_s1 ? occurs : test_6;  // otsu.h:283
     wire [43:0] operand = value_12_s3 ? {8'd0, product_s3} : deviation_2;  // otsu.h:290
     wire test_7 = operand[43:28] == 16'd0;  // otsu.h:90
     wire test_8 = operand[43:12] == 32'd0;  // otsu.h:91
@@ -265,8 +251,8 @@ module otsu (
     wire [24:0] either_3 = {6'd0, shifted_11} | shifted_12;  // otsu.h:115
     wire [11:0] shifted_13 = product_3[24:13];  // otsu.h:115
     wire [24:0] sum_5 = either_3 + {13'd0, shifted_13};  // otsu.h:115
-    wire test_15 = sum_2_q != below_2;
-    wire both_11 = occurs_2 & test_15_s2;  // otsu.h:294
+    wire test_15 = sum_2_q != below;
+    wire both_11 = occurs & test_15;  // otsu.h:294
     wire both_12 = both_11 & value_12_s2;  // otsu.h:283
     wire differs_3 = ~both_11;  // otsu.h:283
     wire both_13 = value_12_s2 & differs_3;  // otsu.h:283
@@ -342,7 +328,7 @@ module otsu (
     wire test_25 = i == 9'd0;  // otsu.h:217
 
     // otsu.h:188:3: loop for_10, II = 1, 3 stages
-    wire [4:0] difference_7 = {1'd0, at_12} - {3'd0, at_11};  // otsu.h:147
+    wire [4:0] difference_7 = {1'd0, at_12} - {3'd0, at_8};  // otsu.h:147
     wire test_26 = difference_7 < 5'd6;  // otsu.h:148
     wire [16:0] best_denominator_data = best_denominator[at_11_s1];  // otsu.h:148
     wire [2:0] both_27 = difference_7[2:0];  // otsu.h:148
@@ -360,13 +346,13 @@ module otsu (
     wire [36:0] carried_2 = test_27_s2 ? value_79 : difference_6;  // otsu.h:193
     wire [34:0] value_81 = difference_8;  // otsu.h:194
     wire [36:0] sum_13 = carried_2 + {{2{value_81_s2[34]}}, value_81_s2};  // otsu.h:194
-    wire test_28 = at_11 == 2'd2;  // otsu.h:135
+    wire test_28 = at_8 == 2'd2;  // otsu.h:135
     wire [16:0] both_30 = sum_13[16:0];  // otsu.h:195
     wire test_29 = both_30 != 17'd0;  // otsu.h:195
     wire both_31 = test_28_s2 & test_29;  // otsu.h:195
     wire differs_5 = both_31 ? 1'd1 : differs_4;  // otsu.h:195
     wire [3:0] at_13 = at_12 + {3'd0, test_28};  // otsu.h:152
-    wire [1:0] sum_14 = at_11 + 2'd1;  // otsu.h:153
+    wire [1:0] sum_14 = at_8 + 2'd1;  // otsu.h:153
     wire [1:0] extract_9 = test_28 ? 2'd0 : sum_14;  // otsu.h:188
     wire test_30 = at_13 > 4'd8;  // otsu.h:188
 
@@ -428,7 +414,7 @@ module otsu (
             histogram_words[histogram_index] = 19'd0;
     // synthesis translate_on
     always @(posedge clk) begin
-        if ((for_3_active & for_3_ce) | (for_4_active[1] & for_4_ce) | (cond_active[1] & cond_ce & differs_2)) histogram_words[for_3_active ? level : for_4_active[1] ? in_data_s1 : shifted_s1] <= for_3_active ? 19'd0 : for_4_active[1] ? sum : 19'd0;
+        if (((state == S_FOR_3) & for_3_ce) | (for_4_active[1] & for_4_ce) | (cond_active[1] & cond_ce & differs_2)) histogram_words[(state == S_FOR_3) ? level : for_4_active[1] ? pixel_2 : shifted_s1] <= (state == S_FOR_3) ? 19'd0 : for_4_active[1] ? sum : 19'd0;
         if ((for_4_active[0] & for_4_front_ce) | (cond_active[0] & cond_ce)) histogram_read <= histogram_words[for_4_active[0] ? in_data : shifted];
     end
 
@@ -750,10 +736,7 @@ module otsu (
     assign ap_ready = ap_done & ap_continue;
 
     always @(posedge clk) begin
-        if (for_3_ce) begin
-            for_3_active <= for_3_active & test;
-        end
-        if (for_3_active & for_3_ce) level <= level_2;
+        if ((state == S_FOR_3) & for_3_ce) level <= level_2;
         if (for_4_front_ce) begin
             for_4_active[0] <= for_4_active[0] & ~at_7;
         end
@@ -764,8 +747,8 @@ module otsu (
         if (for_4_active[1] & for_4_ce) count_2 <= count;
         if (for_4_active[0] & for_4_front_ce) at_3 <= at_6;
         if (for_4_active[0] & for_4_front_ce) at_4 <= at_5;
-        if (for_4_active[1] & for_4_ce) pixel <= pixel_2;
-        if (for_4_active[1] & for_4_ce) pixel_2 <= in_data_s1;
+        if (for_4_active[0] & for_4_front_ce) pixel <= pixel_2;
+        if (for_4_active[0] & for_4_front_ce) pixel_2 <= in_data;
         if (for_4_active[0] & for_4_front_ce) value_3 <= excess;
         if (for_4_active[0] & for_4_front_ce) value_4 <= sum_2;
         if (cond_ce) begin
@@ -778,7 +761,7 @@ module otsu (
             cond_active[6] <= cond_active[5];
             cond_active[7] <= cond_active[6];
         end
-        if (cond_active[2] & cond_ce) occurs <= occurs_2;
+        if (cond_active[1] & cond_ce) occurs <= occurs_2;
         if (cond_active[7] & cond_ce) contender_count <= contender_count_2;
         if (cond_active[1] & cond_ce) excess_2 <= excess_3;
         if (cond_active[1] & cond_ce) below <= below_2;
@@ -800,7 +783,7 @@ module otsu (
         end
         if (for_10_active[2] & for_10_ce) differs_4 <= differs_5;
         if (for_10_active[2] & for_10_ce) difference_6 <= sum_13;
-        if (for_10_active[0] & for_10_ce) at_11 <= extract_9;
+        if (for_10_active[0] & for_10_ce) at_8 <= extract_9;
         if (for_10_active[0] & for_10_ce) at_12 <= at_13;
         if (for_12_ce) begin
             for_12_active[0] <= for_12_active[0] & ~test_33;
@@ -816,17 +799,16 @@ module otsu (
                     state <= S_IF_3;
                 end else begin
                     state <= S_FOR_3;
-                    for_3_active <= 1'b1;
                 end
             end
-            S_FOR_3: if (for_3_active & for_3_ce & ~test) begin
+            S_FOR_3: if ((state == S_FOR_3) & for_3_ce & ~test) begin
                 state <= S_IF_3;
             end
             S_IF_3: if (~stall) begin
                 state <= S_FOR_4;
                 for_4_active[0] <= 1'b1;
             end
-            S_FOR_4: if (for_4_active[1] & for_4_ce & at_7_s1) begin
+            S_FOR_4: if (for_4_active[1] & for_4_ce & ~for_4_active[0]) begin
                 state <= S_COND;
                 cond_active[0] <= 1'b1;
             end
@@ -850,7 +832,7 @@ module otsu (
                 state <= S_FOR_8;
                 for_8_active[0] <= 1'b1;
             end
-            S_FOR_8: if (for_8_active[1] & for_8_ce & test_24_s1) begin
+            S_FOR_8: if (for_8_active[1] & for_8_ce & ~for_8_active[0]) begin
                 state <= S_ZN9FLOORLINE9OTSU_SCAN6SQUAREEPK7AP_UINTILI17EERNS0_8SIXLIMBSE;
             end
             S_ZN9FLOORLINE9OTSU_SCAN6SQUAREEPK7AP_UINTILI17EERNS0_8SIXLIMBSE: if (~stall) begin
@@ -862,7 +844,7 @@ module otsu (
                     for_10_active[0] <= 1'b1;
                 end
             end
-            S_FOR_10: if (for_10_active[2] & for_10_ce & test_30_s2) begin
+            S_FOR_10: if (for_10_active[2] & for_10_ce & ~|for_10_active[1:0]) begin
                 state <= S_FOR_11;
             end
             S_FOR_11: if (~stall) begin
@@ -873,7 +855,7 @@ module otsu (
                     state <= S_IF_6;
                 end
             end
-            S_FOR_12: if (for_12_active[1] & for_12_ce & test_33_s1) begin
+            S_FOR_12: if (for_12_active[1] & for_12_ce & ~for_12_active[0]) begin
                 state <= S_IF_6;
             end
             S_IF_6: if (~stall) begin
@@ -895,17 +877,17 @@ module otsu (
         if ((state == S_IF_3) & ~stall) begin
             count <= 19'd0;
             count_2 <= 19'd0;
-            at_3 <= 9'd0;
-            at_4 <= 10'd0;
+            at_3 <= height[8:0];
+            at_4 <= width[9:0];
             pixel <= 8'd0;
             pixel_2 <= 8'd0;
             value_3 <= 27'd0;
             value_4 <= 19'd0;
         end
-        if (for_4_active[1] & for_4_ce & at_7_s1) begin
+        if (for_4_active[1] & for_4_ce & ~for_4_active[0]) begin
             occurs <= 1'd0;
             contender_count <= 9'd0;
-            excess_2 <= {1'd0, excess_s1};
+            excess_2 <= {1'd0, value_3};
             below <= 19'd0;
             deviation <= 44'd0;
             deviation_logarithm <= 25'd0;
@@ -930,7 +912,7 @@ module otsu (
         if ((state == S_ZN9FLOORLINE9OTSU_SCAN6SQUAREEPK7AP_UINTILI17EERNS0_8SIXLIMBSE) & ~stall & ~test_25) begin
             differs_4 <= 1'd0;
             difference_6 <= 37'd0;
-            at_11 <= 2'd0;
+            at_8 <= 2'd0;
             at_12 <= 4'd0;
         end
         if ((state == S_FOR_11) & ~stall & both_33) begin
@@ -939,7 +921,7 @@ module otsu (
         if ((state == S_FOR_11) & ~stall & ~both_33) begin
             best_level_2 <= best_level;
         end
-        if (for_12_active[1] & for_12_ce & test_33_s1) begin
+        if (for_12_active[1] & for_12_ce & ~for_12_active[0]) begin
             best_level_2 <= contenders_0_data_q;
         end
         if ((state == S_IF_6) & ~stall & test_34) begin
@@ -951,7 +933,6 @@ module otsu (
         end
         if (rst) begin
             state <= S_IDLE;
-            for_3_active <= 1'd0;
             for_4_active <= 2'd0;
             cond_active <= 8'd0;
             for_8_active <= 2'd0;
@@ -971,8 +952,6 @@ module otsu (
         if ((state == S_FOR_7_2) & ~stall) denominator[2'd1] <= shifted_17;
         if ((state == S_FOR_7_2) & ~stall) denominator[2'd2] <= {15'd0, shifted_18};
         if (for_12_active[0] & for_12_ce & test_32) best_denominator[limb[1:0]] <= denominator_data_2;
-        if ((state == S_IF_3) & ~stall) at_q <= at;
-        if ((state == S_IF_3) & ~stall) at_2_q <= at_2;
         if (for_4_active[0] & for_4_front_ce) sum_2_q <= sum_2;
         if (cond_active[7] & cond_ce) contender_count_2_q <= contender_count_2;
         if ((state == S_FOR_7_1) & ~stall) contenders_0_data_q <= contenders_0_data;
@@ -981,9 +960,8 @@ module otsu (
         if (for_10_active[2] & for_10_ce) sum_13_q <= sum_13;
         if (for_10_active[2] & for_10_ce) differs_5_q <= differs_5;
         if (for_4_front_ce) begin
-            in_data_s1 <= in_data;
-            excess_s1 <= excess;
-            at_7_s1 <= at_7;
+            both_s1 <= both;
+            both_2_s1 <= both_2;
         end
         if (cond_ce) begin
             below_s2 <= below;
@@ -1007,7 +985,6 @@ module otsu (
             value_33_s6 <= value_33;
             difference_2_s6 <= difference_2;
             sum_5_s7 <= sum_5;
-            test_15_s2 <= test_15;
             both_12_s3 <= both_12;
             both_12_s4 <= both_12_s3;
             both_12_s5 <= both_12_s4;
@@ -1039,21 +1016,17 @@ module otsu (
             test_22_s1 <= test_22;
             value_59_s1 <= value_59;
             test_23_s1 <= test_23;
-            test_24_s1 <= test_24;
         end
         if (for_10_ce) begin
-            at_11_s1 <= at_11;
+            at_11_s1 <= at_8;
             test_26_s1 <= test_26;
             test_27_s2 <= test_27;
             value_81_s2 <= value_81;
             test_28_s1 <= test_28;
             test_28_s2 <= test_28_s1;
-            test_30_s1 <= test_30;
-            test_30_s2 <= test_30_s1;
         end
         if (for_12_ce) begin
             limb_s1 <= limb;
-            test_33_s1 <= test_33;
         end
         if (rst) begin
             threshold <= 8'd0;

@@ -146,11 +146,6 @@ module polar (
     reg [11:0] chosen_34_s4;
     reg test_43_s1;
     reg test_43_s2;
-    reg either_25_s1;
-    reg either_25_s2;
-    reg either_25_s3;
-    reg either_25_s4;
-    reg either_25_s5;
     reg [11:0] states_13_store_0_s4;
     reg [11:0] states_13_store_2_s4;
     reg [11:0] states_13_store_3_s4;
@@ -627,7 +622,7 @@ module polar (
                 state <= S_FOR_2;
                 for_2_active[0] <= 1'b1;
             end
-            S_FOR_2: if (for_2_active[5] & for_2_ce & ~either_25_s5) begin
+            S_FOR_2: if (for_2_active[5] & for_2_ce & ~|for_2_active[4:0]) begin
                 state <= S_FOR_3;
             end
             S_FOR_3: if (~stall) begin
@@ -672,7 +667,6 @@ module polar (
             both_7_s1 <= both_7;
             sum_12_s1 <= sum_12;
             test_43_s1 <= test_43;
-            either_25_s1 <= either_25;
         end
         if (for_2_ce) begin
             sum_11_s2 <= sum_11;
@@ -745,10 +739,6 @@ module polar (
             test_41_s3 <= test_41_s2;
             chosen_34_s4 <= chosen_34;
             test_43_s2 <= test_43_s1;
-            either_25_s2 <= either_25_s1;
-            either_25_s3 <= either_25_s2;
-            either_25_s4 <= either_25_s3;
-            either_25_s5 <= either_25_s4;
             states_13_store_0_s4 <= states_13_store_0;
             states_13_store_2_s4 <= states_13_store_2;
             states_13_store_3_s4 <= states_13_store_3;

@@ -31,16 +31,12 @@ module roi (
 
     reg [8:0] at_3;
     reg [9:0] at_4;
-    reg for_2_active;  // stages at work
-    reg [9:0] at_q;
     reg [8:0] at_2_q;
 
     wire stall;
     wire for_2_ce;
 
     // raster.h:26:39: entry
-    wire [9:0] value = width[9:0];  // raster.h:26
-    wire [9:0] at = value + 10'd1023;  // raster.h:26
     wire [8:0] value_2 = height[8:0];  // raster.h:26
     wire [8:0] at_2 = value_2 + 9'd511;  // raster.h:26
 
@@ -50,18 +46,18 @@ module roi (
     wire test_2 = {3'd0, at_3} <= last_row;
     wire both = test & test_2;  // roi.h:22
     wire [1:0] chosen = both ? in_data : 2'd0;  // roi.h:22
-    wire test_3 = at_4 == at_q;  // raster.h:28
+    wire test_3 = at_4 == 10'd1;  // raster.h:28
     wire test_4 = at_3 == at_2_q;  // raster.h:32
-    wire [9:0] sum = at_4 + 10'd1;  // raster.h:32
-    wire [9:0] at_5 = test_3 ? 10'd0 : sum;  // raster.h:32
+    wire [9:0] sum = at_4 - 10'd1;  // raster.h:32
+    wire [9:0] at_5 = test_3 ? width[9:0] : sum;  // raster.h:32
     wire [8:0] at_6 = at_3 + {8'd0, test_3};  // raster.h:32
     wire at_7 = test_3 & test_4;  // roi.h:18
 
     assign stall = 1'b0;
-    assign for_2_ce = ~((for_2_active & ~in_empty_n) | (for_2_active & ~out_full_n));
+    assign for_2_ce = ~(((state == S_FOR_2) & ~in_empty_n) | ((state == S_FOR_2) & ~out_full_n));
 
-    assign in_read = (for_2_active & for_2_ce);
-    assign out_write = (for_2_active & for_2_ce);
+    assign in_read = ((state == S_FOR_2) & for_2_ce);
+    assign out_write = ((state == S_FOR_2) & for_2_ce);
     assign out_din = chosen;
 
     assign ap_idle = (state == S_IDLE);
@@ -69,20 +65,16 @@ module roi (
     assign ap_ready = ap_done & ap_continue;
 
     always @(posedge clk) begin
-        if (for_2_ce) begin
-            for_2_active <= for_2_active & ~at_7;
-        end
-        if (for_2_active & for_2_ce) at_3 <= at_6;
-        if (for_2_active & for_2_ce) at_4 <= at_5;
+        if ((state == S_FOR_2) & for_2_ce) at_3 <= at_6;
+        if ((state == S_FOR_2) & for_2_ce) at_4 <= at_5;
         case (state)
             S_IDLE: if (ap_start) begin
                 state <= S_ENTRY;
             end
             S_ENTRY: if (~stall) begin
                 state <= S_FOR_2;
-                for_2_active <= 1'b1;
             end
-            S_FOR_2: if (for_2_active & for_2_ce & at_7) begin
+            S_FOR_2: if ((state == S_FOR_2) & for_2_ce & at_7) begin
                 state <= S_DONE;
             end
             S_DONE: if (ap_continue) state <= S_IDLE;
@@ -90,16 +82,14 @@ module roi (
         endcase
         if ((state == S_ENTRY) & ~stall) begin
             at_3 <= 9'd0;
-            at_4 <= 10'd0;
+            at_4 <= width[9:0];
         end
         if (rst) begin
             state <= S_IDLE;
-            for_2_active <= 1'd0;
         end
     end
 
     always @(posedge clk) begin
-        if ((state == S_ENTRY) & ~stall) at_q <= at;
         if ((state == S_ENTRY) & ~stall) at_2_q <= at_2;
     end
 
