@@ -1,7 +1,7 @@
 /// Histogram of a frame, counted while its pixels pass (ICVS paper, the first step of eq. 9-11).
 ///
-/// A count is read, raised and written back. When the next two pixels come the RAM does not have it yet, so
-/// the counts of the last two pixels are kept beside the RAM. II = 1.
+/// A count is read, raised and written back. When the next pixel comes the RAM does not have it yet, so the
+/// count of the last pixel is kept beside the RAM. II = 1.
 #ifndef FLOORLINE_HLS_HISTOGRAM_H
 #define FLOORLINE_HLS_HISTOGRAM_H
 
@@ -33,32 +33,27 @@ HistogramTotals<MAX_WIDTH * MAX_HEIGHT> count_levels(
   typedef HistogramTotals<MAX_WIDTH * MAX_HEIGHT> Totals;
   typedef typename Totals::Count Count;
   Totals totals = {0, 0};
-  // The last two pixels and their counts, newest first. A cleared histogram holds 0 for pixel 0, so that is a
-  // true start.
-  Pixel pixel1 = 0, pixel2 = 0;
-  Count count1 = 0, count2 = 0;
+  // A cleared histogram holds 0 for pixel 0, so that is a true start.
+  Pixel last_pixel = 0;
+  Count last_count = 0;
 PIXELS:
   for (RasterPosition<MAX_WIDTH, MAX_HEIGHT> at(width, height); at.inside; at.advance()) {
 #pragma HLS PIPELINE II = 1
 #pragma HLS LOOP_TRIPCOUNT min = 1 max = MAX_WIDTH * MAX_HEIGHT
-// True: a bin written by one of the last two pixels is not read but taken from count1 or count2.
-#pragma HLS DEPENDENCE variable = histogram inter RAW distance = 3 true
+// True: a bin written by the last pixel is not read but taken from last_count.
+#pragma HLS DEPENDENCE variable = histogram inter RAW distance = 2 true
     const Pixel pixel = in.read();
     out.write(pixel);
     Count count;
-    if (pixel == pixel1) {
-      count = count1;
-    } else if (pixel == pixel2) {
-      count = count2;
+    if (pixel == last_pixel) {
+      count = last_count;
     } else {
       count = histogram[pixel];
     }
     count = count + 1;
     histogram[pixel] = count;
-    pixel2 = pixel1;
-    count2 = count1;
-    pixel1 = pixel;
-    count1 = count;
+    last_pixel = pixel;
+    last_count = count;
     totals.pixels = totals.pixels + 1;
     totals.sum = totals.sum + pixel;
   }
