@@ -474,29 +474,45 @@ void reset_once() {
     out_ << "    }\n";
   }
 
-  // A memory port: `at` is the word address, the answer comes after the edge.
+  static std::string port_name(size_t memory, size_t port) {
+    return "memory_" + std::to_string(memory) + "_" + std::to_string(port);
+  }
+
+  // Ports of a memory: `at` is the word address, the answer comes after the edge. Both ports read what was
+  // there before the edge.
   void sample_memory(size_t i) {
     const InterfaceMemory& memory = ports_.memories[i];
-    std::string prefix = "memory_" + std::to_string(i);
-    std::string element = "(unsigned char*)" + object_of(memory.argument) + " + ";
-    if (memory.is_written) {
-      out_ << "    if (dut()." << memory.write_enable << ") {\n      moved = true;\n";
-      for_each_leaf(memory, [&](const Leaf& leaf, unsigned low) {
-        out_ << "      unpack(slice(get(dut()." << memory.write_data << ", " << memory.width << "), "
-             << leaf_place(leaf, low) << "), 0, " << leaf.width << ", " << (leaf.is_signed ? "true" : "false")
-             << ", " << element << "uint64_t{dut()." << memory.write_address << "} * " << memory.stride
-             << ", " << leaf.byte_offset << ", " << leaf.bytes << ");\n";
-      });
-      out_ << "    }\n";
-    }
-    if (!memory.is_read) return;
-    out_ << "    bool " << prefix << "_ce = dut()." << memory.read_enable << ";\n    uint64_t " << prefix
-         << "_at = dut()." << memory.read_address << ";\n    Bits " << prefix << "_word = zero_bits("
-         << memory.width << ");\n    if (" << prefix << "_ce && " << prefix << "_at < " << memory.depth
+    for (size_t k = 0; k < memory.ports.size(); ++k)
+      if (!memory.ports[k].read_data.empty()) sample_read(memory, memory.ports[k], port_name(i, k));
+    for (const InterfaceMemoryPort& port : memory.ports)
+      if (!port.write_enable.empty()) sample_write(memory, port);
+  }
+
+  std::string element_of(const InterfaceMemory& memory, const std::string& address) const {
+    return "(unsigned char*)" + object_of(memory.argument) + " + " + address + " * " +
+           std::to_string(memory.stride) + ", ";
+  }
+
+  void sample_write(const InterfaceMemory& memory, const InterfaceMemoryPort& port) {
+    out_ << "    if (dut()." << port.enable << " && dut()." << port.write_enable
          << ") {\n      moved = true;\n";
     for_each_leaf(memory, [&](const Leaf& leaf, unsigned low) {
-      out_ << "      pack(" << prefix << "_word, " << leaf_place(leaf, low) << ", " << element << prefix
-           << "_at * " << memory.stride << ", " << leaf.byte_offset << ");\n";
+      out_ << "      unpack(slice(get(dut()." << port.write_data << ", " << memory.width << "), "
+           << leaf_place(leaf, low) << "), 0, " << leaf.width << ", " << (leaf.is_signed ? "true" : "false")
+           << ", " << element_of(memory, "uint64_t{dut()." + port.address + "}") << leaf.byte_offset << ", "
+           << leaf.bytes << ");\n";
+    });
+    out_ << "    }\n";
+  }
+
+  void sample_read(const InterfaceMemory& memory, const InterfaceMemoryPort& port, const std::string& name) {
+    out_ << "    bool " << name << "_ce = dut()." << port.enable << ";\n    uint64_t " << name
+         << "_at = dut()." << port.address << ";\n    Bits " << name << "_word = zero_bits(" << memory.width
+         << ");\n    if (" << name << "_ce && " << name << "_at < " << memory.depth
+         << ") {\n      moved = true;\n";
+    for_each_leaf(memory, [&](const Leaf& leaf, unsigned low) {
+      out_ << "      pack(" << name << "_word, " << leaf_place(leaf, low) << ", "
+           << element_of(memory, name + "_at") << leaf.byte_offset << ");\n";
     });
     out_ << "    }\n";
   }
@@ -512,9 +528,10 @@ void reset_once() {
 
   void answer_memory(size_t i) {
     const InterfaceMemory& memory = ports_.memories[i];
-    std::string prefix = "memory_" + std::to_string(i);
-    if (memory.is_read)
-      out_ << "    if (" << prefix << "_ce) put(dut()." << memory.read_data << ", " << prefix << "_word);\n";
+    for (size_t k = 0; k < memory.ports.size(); ++k)
+      if (std::string name = port_name(i, k); !memory.ports[k].read_data.empty())
+        out_ << "    if (" << name << "_ce) put(dut()." << memory.ports[k].read_data << ", " << name
+             << "_word);\n";
   }
 
   void return_results() {

@@ -113,6 +113,7 @@ int ProcessBuilder::memory_of(MemoryObject& object, Value* pointer, size_t leaf,
     memory.kind = MemoryKind::kPort;
     memory.argument = object.argument;
     memory.llvm_argument = object.llvm_argument;
+    memory.may_have_two_ports = may_have_two_ports(*cast<Argument>(pointer));
     memory.byte_offset = shape.byte_offset;
     if (!shape.strides.empty()) memory.stride = shape.strides.back();
   } else if (global && is_constant_table(*global)) {
@@ -125,6 +126,31 @@ int ProcessBuilder::memory_of(MemoryObject& object, Value* pointer, size_t leaf,
   object.memories[{leaf, bank}] = process_.memories.size();
   process_.memories.push_back(memory);
   return process_.memories.size() - 1;
+}
+
+bool ProcessBuilder::may_have_two_ports(Argument& argument) const {
+  auto says = [](const Directive& directive, const char* option, StringRef word) {
+    return directive.has(word.lower()) || StringRef(directive.text(option)).equals_insensitive(word);
+  };
+  for (const char* kind : {"BIND_STORAGE", "RESOURCE"})
+    for (const ObjectDirective& entry : middle_.directives.of(&argument, kind))
+      if (says(entry.directive, "type", "ram_1p") || says(entry.directive, "core", "ram_1p")) return false;
+  const Argument* outside = &argument;
+  if (function_.getName() != program_.top)
+    for (const User* user : function_.users())
+      if (auto* call = dyn_cast<CallInst>(user))
+        outside = dyn_cast<Argument>(call->getArgOperand(argument.getArgNo()));
+  if (!outside) return false;
+  auto ports = middle_.directives.ports.find(program_.top);
+  if (ports == middle_.directives.ports.end()) return true;
+  bool is_master = false, is_single = false;
+  for (const PortDirective& entry : ports->second) {
+    if (entry.port != outside->getName()) continue;
+    is_master |= says(entry.directive, "mode", "m_axi");
+    is_single |=
+        says(entry.directive, "mode", "s_axilite") || says(entry.directive, "storage_type", "ram_1p");
+  }
+  return is_master || !is_single;
 }
 
 bool ProcessBuilder::is_constant_table(const GlobalVariable& global) { return global.isConstant(); }

@@ -92,6 +92,11 @@ enum class MemoryKind {
   kPort,       ///< Outside the module (ap_memory): as kRam.
 };
 
+/// What one of the ports of a memory outside does: number k has the signals NAME_address<k>, NAME_ce<k> ...
+struct MemoryPort {
+  bool reads = false, writes = false;
+};
+
 /// DEPENDENCE: what accesses of an array in a loop do not have to do with each other.
 struct DependenceClaim {
   int number = -1;            ///< One of the claims of the loops where it holds; -1: it holds in all.
@@ -115,15 +120,18 @@ struct Memory {
   std::vector<llvm::APInt> initial;  ///< Static or constant contents; empty: undefined at start.
   std::vector<DependenceClaim> claims;
   bool is_aggregate = false;  ///< A port whose words are whole structs, first member in the lowest bits.
-  bool is_copied = false;  ///< It has a copy, or is one (copy_memory.h).
-  std::string aggregate;   ///< AGGREGATE on a local array of structs: name of the memory of whole elements.
+  bool is_copied = false;     ///< It has a copy, or is one (copy_memory.h).
+  std::string aggregate;  ///< AGGREGATE on a local array of structs: name of the memory of whole elements.
   bool is_read = false, is_written = false;
-  unsigned load_latency = 1;    ///< Cycles: 0 registers and logic, 1 RAM, more: a far_ram.
-  bool is_block_table = false;  ///< Of a ROM: it lies in block RAM.
-  int argument = -1;            ///< Of a port: index of the parameter.
-  int llvm_argument = -1;       ///< As in Stream.
-  uint64_t byte_offset = 0;     ///< Of a port: the leaf's place in an element.
-  uint64_t stride = 0;          ///< Of a port: bytes from word to word in C++.
+  bool may_have_two_ports = false;  ///< Of a port: what lies behind it is the user's dual-port memory.
+  bool has_two_ports = false;       ///< Of a port: any two accesses a cycle, in place of a read and a write.
+  std::vector<MemoryPort> ports;    ///< Of a port, known when the process is scheduled.
+  unsigned load_latency = 1;        ///< Cycles: 0 registers and logic, 1 RAM, more: a far_ram.
+  bool is_block_table = false;      ///< Of a ROM: it lies in block RAM.
+  int argument = -1;                ///< Of a port: index of the parameter.
+  int llvm_argument = -1;           ///< As in Stream.
+  uint64_t byte_offset = 0;         ///< Of a port: the leaf's place in an element.
+  uint64_t stride = 0;              ///< Of a port: bytes from word to word in C++.
   SourceLocation location;
 
   /// Or may: nobody told.

@@ -120,6 +120,9 @@ class ProcessBuilder {
   static uint64_t bank_count(const Partition& partition, uint64_t size);
   int memory_of(MemoryObject& object, llvm::Value* pointer, size_t leaf, uint64_t bank);
   bool is_constant_table(const llvm::GlobalVariable& global);
+  /// Whether a parameter is an array outside the top, behind which a memory with two ports can lie: it is no
+  /// channel between processes, not in a bank of registers, and nobody asks for a single port.
+  bool may_have_two_ports(llvm::Argument& argument) const;
   std::vector<DependenceClaim> claims_of(llvm::Value* pointer);
   /// Contents of one bank; a single word stands for all words alike.
   std::vector<llvm::APInt> initial_words(llvm::GlobalVariable& global, const MemoryObject& object,

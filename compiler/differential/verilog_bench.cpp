@@ -232,35 +232,37 @@ class VerilogBench {
         "                    fail_words(\"{2}\", {0}[i], {0}_after[call * {1} + i]);\n"
         "                end\n",
         name, count, memory.name);
-    if (memory.is_read) {
-      declare(fmt::format("reg {} {}_q;", type, name));
-      declare(fmt::format("wire {}_ce;", name));
-      declare(fmt::format("wire [31:0] {}_from;", name));
-      connect(memory.read_address, name + "_from" + address_range(memory));
-      connect(memory.read_enable, name + "_ce");
-      connect(memory.read_data, name + "_q");
-      declare(fmt::format("assign {}_from[31:{}] = 0;", name, address_bits(memory.depth)));
-      clocked_ += fmt::format(
-          "    always @(posedge clk) if ({0}_ce) {0}_q <= {0}_from < {1} ? {0}[{0}_from] : {2}'bx;\n", name,
-          count, memory.width);
-      moves_ += fmt::format(" | {}_ce", name);
+    for (std::size_t k = 0; k < memory.ports.size(); ++k)
+      memory_port(memory, memory.ports[k], name, fmt::format("{}_{}", name, k), count);
+  }
+
+  void memory_port(const InterfaceMemory& memory, const InterfaceMemoryPort& port, const std::string& words,
+                   const std::string& name, long count) {
+    declare(fmt::format("wire {}_ce;", name));
+    declare(fmt::format("wire [31:0] {}_at;", name));
+    declare(fmt::format("assign {}_at[31:{}] = 0;", name, address_bits(memory.depth)));
+    connect(port.address, name + "_at" + address_range(memory));
+    connect(port.enable, name + "_ce");
+    moves_ += fmt::format(" | {}_ce", name);
+    if (!port.read_data.empty()) {
+      declare(fmt::format("reg {} {}_q;", range(memory.width), name));
+      connect(port.read_data, name + "_q");
+      clocked_ +=
+          fmt::format("    always @(posedge clk) if ({0}_ce) {0}_q <= {0}_at < {1} ? {3}[{0}_at] : {2}'bx;\n",
+                      name, count, memory.width, words);
     }
-    if (memory.is_written) {
-      declare(fmt::format("wire {}_we;", name));
-      declare(fmt::format("wire [31:0] {}_to;", name));
-      declare(fmt::format("wire {} {}_d;", type, name));
-      connect(memory.write_address, name + "_to" + address_range(memory));
-      connect(memory.write_enable, name + "_we");
-      connect(memory.write_data, name + "_d");
-      declare(fmt::format("assign {}_to[31:{}] = 0;", name, address_bits(memory.depth)));
-      clocked_ += fmt::format("    always @(posedge clk) if ({0}_we && {0}_to < {1}) {0}[{0}_to] <= {0}_d;\n",
-                              name, count);
-      clocked_ += fmt::format(
-          "    always @(posedge clk) if ({0}_we && {0}_to >= {1}) fail_at(\"write beyond the end of "
-          "{2}\");\n",
-          name, count, memory.name);
-      moves_ += fmt::format(" | {}_we", name);
-    }
+    if (port.write_enable.empty()) return;
+    declare(fmt::format("wire {}_we;", name));
+    declare(fmt::format("wire {} {}_d;", range(memory.width), name));
+    connect(port.write_enable, name + "_we");
+    connect(port.write_data, name + "_d");
+    clocked_ += fmt::format(
+        "    always @(posedge clk)\n"
+        "        if ({0}_ce && {0}_we) begin\n"
+        "            if ({0}_at < {1}) {3}[{0}_at] <= {0}_d;\n"
+        "            else fail_at(\"write beyond the end of {2}\");\n"
+        "        end\n",
+        name, count, memory.name, words);
   }
 
   static std::string address_range(const InterfaceMemory& memory) {

@@ -13,38 +13,50 @@ constexpr int kMaxIi = 256;
 constexpr int kDeepestAddress = 8;     ///< Operations in each other that are looked through.
 constexpr unsigned kWideAddress = 20;  ///< Bits that no loop's counter runs through.
 
-/// Resources of a process: a read and a write port per memory, one access a cycle per stream.
+/// Resources of a process: a read and a write port per memory, or two ports for both; one access a cycle per
+/// stream.
 class Resources {
  public:
+  enum Kind { kStream, kRead, kWrite, kAnyPort };
+
   int of(const Process& process, const Operation& op) {
-    if (op.is_stream_access()) return index({0, op.object});
+    if (op.is_stream_access()) return index({kStream, op.object});
     if (!op.is_memory_access()) return -1;
     const Memory& memory = process.memories[op.object];
     if (memory.kind == MemoryKind::kRegisters ||
         (memory.kind == MemoryKind::kRom && memory.load_latency == 0))
       return -1;
-    return index({op.kind == OpKind::kLoad ? 1 : 2, op.object});
+    if (memory.has_two_ports) return index({kAnyPort, op.object});
+    return index({op.kind == OpKind::kLoad ? kRead : kWrite, op.object});
   }
-  int count() const { return indices_.size(); }
-  /// The memory whose read port the resource is; -1: another resource.
-  int memory_read(int resource) const {
+  std::vector<int> limits() const {
+    std::vector<int> limits(indices_.size(), 1);
     for (const auto& [key, value] : indices_)
-      if (value == resource && key.first == 1) return key.second;
+      if (key.first == kAnyPort) limits[value] = 2;
+    return limits;
+  }
+  /// The memory of which the resource is a port that may be doubled; -1: another resource.
+  int memory_to_widen(const Process& process, int resource) const {
+    for (const auto& [key, value] : indices_)
+      if (value == resource &&
+          (key.first == kRead || (key.first == kWrite && process.memories[key.second].may_have_two_ports)))
+        return key.second;
     return -1;
   }
   std::string name(const Process& process, int resource) const {
     for (const auto& [key, value] : indices_) {
       if (value != resource) continue;
-      if (key.first == 0) return "stream '" + process.streams[key.second].name + "'";
-      return std::string(key.first == 1 ? "read" : "write") + " port of '" +
-             process.memories[key.second].name + "'";
+      if (key.first == kStream) return "stream '" + process.streams[key.second].name + "'";
+      std::string of = " of '" + process.memories[key.second].name + "'";
+      if (key.first == kAnyPort) return "pair of ports" + of;
+      return (key.first == kRead ? "read port" : "write port") + of;
     }
     return "";
   }
 
  private:
-  int index(std::pair<int, int> key) { return indices_.emplace(key, indices_.size()).first->second; }
-  std::map<std::pair<int, int>, int> indices_;
+  int index(std::pair<Kind, int> key) { return indices_.emplace(key, indices_.size()).first->second; }
+  std::map<std::pair<Kind, int>, int> indices_;
 };
 
 class BlockScheduler {
@@ -58,7 +70,7 @@ class BlockScheduler {
     add_stream_dependences();
     add_status_dependences();
     add_exit_dependences();
-    problem_.limits.assign(resources_.count(), 1);
+    problem_.limits = resources_.limits();
   }
 
   void run(ProcessSchedule& result, Diagnostics& diagnostics) {
@@ -76,7 +88,7 @@ class BlockScheduler {
       while (!solve(problem_, schedule, failure)) {
         if (summary.limit.empty()) {
           summary.limit = explain(failure);
-          summary.limiting_memory = resources_.memory_read(failure.resource);
+          summary.limiting_memory = resources_.memory_to_widen(process_, failure.resource);
         }
         if (++problem_.ii > kMaxIi)
           throw CompileError(block_.location, "the loop has no schedule with an II up to " +
@@ -198,7 +210,7 @@ class BlockScheduler {
     std::optional<int64_t> factor = is_leaf ? std::nullopt : constant_factor(op);
     if (op.kind == OpKind::kConstant) {
       form.offset += scale * op.constant.getSExtValue();
-    } else if (!is_leaf && op.kind == OpKind::kAdd) {
+    } else if (!is_leaf && (op.kind == OpKind::kAdd || is_sum_without_carry(op))) {
       return add_terms(op.operands[0], scale, form, depth + 1) &&
              add_terms(op.operands[1], scale, form, depth + 1);
     } else if (factor) {
@@ -212,6 +224,16 @@ class BlockScheduler {
       return false;
     }
     return true;
+  }
+
+  /// 2 * i + 1 is written as 2 * i | 1: a constant below the lowest bit of a multiple.
+  bool is_sum_without_carry(const Operation& op) const {
+    if (op.kind != OpKind::kOr) return false;
+    const Operation& right = process_[op.operands[1]];
+    std::optional<int64_t> factor = constant_factor(process_[op.operands[0]]);
+    if (right.kind != OpKind::kConstant || !factor || *factor <= 0) return false;
+    uint64_t lowest = static_cast<uint64_t>(*factor & -*factor);
+    return right.constant.ult(lowest);
   }
 
   /// By what an operation multiplies its first operand, if by a small constant.
@@ -382,6 +404,23 @@ class BlockScheduler {
       length = std::max(length, result.ready[id] + 1);
     }
     summary.length = block_.is_loop ? std::max(length, summary.ii) : length;
+    choose_ports(result);
+  }
+
+  /// Of what happens in one cycle, loads take ports from the first on and stores from the last on: so an
+  /// array that is read and written in turns has one port for each.
+  void choose_ports(ProcessSchedule& result) const {
+    std::map<std::pair<int, int>, int> loads, stores;
+    for (ValueId id : block_.operations) {
+      const Operation& op = process_[id];
+      if (!op.is_memory_access()) continue;
+      const Memory& memory = process_.memories[op.object];
+      int cycle = problem_.ii ? result.start[id] % problem_.ii : result.start[id];
+      int last = memory.has_two_ports || (memory.is_read && memory.is_written) ? 1 : 0;
+      bool is_load = op.kind == OpKind::kLoad;
+      int before = memory.has_two_ports ? (is_load ? loads : stores)[{op.object, cycle}]++ : 0;
+      result.port[id] = is_load ? before : last - before;
+    }
   }
 
   const Process& process_;
@@ -404,6 +443,7 @@ ProcessSchedule schedule_process(const Process& process, const ScheduleOptions& 
   result.ready.assign(count, 0);
   result.begin.assign(count, 0);
   result.end.assign(count, 0);
+  result.port.assign(count, 0);
   for (size_t block = 0; block < process.blocks.size(); ++block)
     BlockScheduler(process, block, options).run(result, diagnostics);
   return result;

@@ -12,9 +12,9 @@ namespace hlsc {
 struct BlockSchedule {
   int ii = 0;  ///< Of a loop; 0 for a plain block.
   int wanted_ii = 0;
-  int length = 1;     ///< Cycles of one run or iteration.
-  std::string limit;  ///< Why ii is not the wanted one; empty when it is.
-  int limiting_memory = -1;  ///< Whose read port it is, if it is one.
+  int length = 1;            ///< Cycles of one run or iteration.
+  std::string limit;         ///< Why ii is not the wanted one; empty when it is.
+  int limiting_memory = -1;  ///< Whose port it is, if another would help.
 };
 
 struct ProcessSchedule {
@@ -22,6 +22,7 @@ struct ProcessSchedule {
   std::vector<int> start;  ///< By ValueId: cycle in its block.
   std::vector<int> ready;  ///< By ValueId: cycle in which its result can be used.
   std::vector<double> begin, end;
+  std::vector<int> port;  ///< By ValueId, of accesses of a memory outside: the number of its port.
 };
 
 struct ScheduleOptions {

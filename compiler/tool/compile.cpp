@@ -120,29 +120,48 @@ class Compilation {
       if (is_far(target, memory)) memory.load_latency = kFarRead;
       memory.is_block_table = is_block_table(target, memory);
     }
-    add_read_ports(process);
+    add_memory_ports(process);
     CompiledProcess made{process, schedule_process(process, schedule_options_, result_.diagnostics)};
+    note_memory_ports(made);
     tell("schedule", made.process, &made.schedule);
     return made;
   }
 
-  /// Gives memories a second read port where a loop comes nearer to the II asked for by that.
-  void add_read_ports(Process& process) const {
+  /// Gives a memory another port: a copy to read, or outside a memory with two ports.
+  static bool add_memory_port(Process& process, const Block& loop, int memory) {
+    if (memory < 0) return false;
+    Memory& array = process.memories[memory];
+    if (array.may_have_two_ports && !array.has_two_ports) return array.has_two_ports = true;
+    if (loop.wanted_ii == 0 || !can_copy_memory(process, memory)) return false;
+    copy_memory(process, memory);
+    return true;
+  }
+
+  /// Gives memories another port where a loop comes nearer to the II asked for by that.
+  void add_memory_ports(Process& process) const {
     Diagnostics ignored;
     ProcessSchedule schedule = schedule_process(process, schedule_options_, ignored);
     for (size_t block = 0; block < process.blocks.size(); ++block) {
-      if (process.blocks[block].wanted_ii == 0) continue;
-      Process copied = process;
+      Process wider = process;
       ProcessSchedule after = schedule;
-      for (int memory = after.blocks[block].limiting_memory; memory >= 0 && can_copy_memory(copied, memory);
-           memory = after.blocks[block].limiting_memory) {
-        copy_memory(copied, memory);
-        after = schedule_process(copied, schedule_options_, ignored);
-      }
+      while (add_memory_port(wider, process.blocks[block], after.blocks[block].limiting_memory))
+        after = schedule_process(wider, schedule_options_, ignored);
       if (after.blocks[block].ii >= schedule.blocks[block].ii) continue;
-      process = std::move(copied);
+      process = std::move(wider);
       schedule = std::move(after);
     }
+  }
+
+  static void note_memory_ports(CompiledProcess& made) {
+    for (const Block& block : made.process.blocks)
+      for (ValueId id : block.operations) {
+        const Operation& op = made.process[id];
+        if (!op.is_memory_access() || made.process.memories[op.object].kind != MemoryKind::kPort) continue;
+        std::vector<MemoryPort>& ports = made.process.memories[op.object].ports;
+        size_t number = made.schedule.port[id];
+        ports.resize(std::max(ports.size(), number + 1));
+        (op.kind == OpKind::kLoad ? ports[number].reads : ports[number].writes) = true;
+      }
   }
 
   void tell(const char* stage, const Process& process, const ProcessSchedule* schedule = nullptr) const {

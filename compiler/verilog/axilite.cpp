@@ -249,12 +249,12 @@ class BankWriter {
     std::string host_data = "{" + std::to_string(lanes / 4) + "{" + bus("WDATA") + "}}";
     if (memory.is_written) {
       std::string chosen = " = " + name + "_design_write ? ";
-      write_conditions_ << "    wire " << name << "_design_write = " << memory.write_select << " & "
-                        << memory.write_enable << ";\n";
+      write_conditions_ << "    wire " << name << "_design_write = " << memory.writer().enable << " & "
+                        << memory.writer().write_enable << ";\n";
       body_ << "    assign " << name << "_lanes" << chosen << design_lanes(one) << " : " << name
             << "_host_lanes;\n    assign " << name << "_row" << chosen
-            << design_row(one, memory.write_address) << " : " << row("write_word") << ";\n    assign " << name
-            << "_data" << chosen << design_data(one) << " : " << host_data << ";\n";
+            << design_row(one, memory.writer().address) << " : " << row("write_word") << ";\n    assign "
+            << name << "_data" << chosen << design_data(one) << " : " << host_data << ";\n";
     } else {
       body_ << "    assign " << name << "_lanes = " << name << "_host_lanes;\n    assign " << name
             << "_row = " << row("write_word") << ";\n    assign " << name << "_data = " << host_data << ";\n";
@@ -309,7 +309,7 @@ class BankWriter {
     std::string text, inside = std::to_string(llvm::Log2_64(count));
     for (unsigned i = count; i-- > 0;)
       text += (text.empty() ? "{" : ", ") +
-              ("{" + std::to_string(bytes) + "{" + place_in_row(one, one.memory.write_address) +
+              ("{" + std::to_string(bytes) + "{" + place_in_row(one, one.memory.writer().address) +
                " == " + inside + "'d" + std::to_string(i) + "}}");
     return text + "}";
   }
@@ -317,7 +317,7 @@ class BankWriter {
   static std::string design_data(const AxiliteArray& one) {
     unsigned bits = 8 * one.element_bytes();
     return "{" + std::to_string(elements_in_row(one)) + "{" +
-           resized_text(one.memory.write_data, one.memory.width, false, bits) + "}}";
+           resized_text(one.memory.writer().write_data, one.memory.width, false, bits) + "}}";
   }
 
   void ram(const AxiliteArray& one, const std::string& reader, const std::string& enable,
@@ -357,16 +357,18 @@ class BankWriter {
     const std::string& name = memory.name;
     unsigned count = elements_in_row(one), inside = llvm::Log2_64(count), bits = 8 * one.element_bytes();
     body_ << "    wire" << range_text(8 * one.row_bytes()) << " " << name << "_design_row;\n";
-    ram(one, "design", memory.read_enable, design_row(one, memory.read_address));
+    ram(one, "design", memory.reader().enable, design_row(one, memory.reader().address));
     std::string value = name + "_design_row";
     if (count > 1) {
       body_ << "    reg" << range_text(inside) << " " << name << "_place;\n    always @(posedge clk) if ("
-            << memory.read_enable << ") " << name << "_place <= " << place_in_row(one, memory.read_address)
-            << ";\n    wire" << range_text(bits) << " " << name << "_element = " << value << "[{" << name
-            << "_place, " << llvm::Log2_64(bits) << "'d0} +: " << bits << "];\n";
+            << memory.reader().enable << ") " << name
+            << "_place <= " << place_in_row(one, memory.reader().address) << ";\n    wire" << range_text(bits)
+            << " " << name << "_element = " << value << "[{" << name << "_place, " << llvm::Log2_64(bits)
+            << "'d0} +: " << bits << "];\n";
       value = name + "_element";
     }
-    body_ << "    assign " << memory.read_data << " = " << part(value, bits, memory.width - 1, 0) << ";\n";
+    body_ << "    assign " << memory.reader().read_data << " = " << part(value, bits, memory.width - 1, 0)
+          << ";\n";
     if (memory.width < bits && count == 1)
       unused_ += ", " + part(value, bits, bits - 1, memory.width);
     else if (memory.width < bits)
@@ -461,17 +463,13 @@ std::vector<BankPort> inner_ports(const AxiliteBank& bank) {
   }
   for (const AxiliteArray& one : bank.arrays) {
     const InterfaceMemory& memory = one.memory;
-    unsigned address = address_bits(memory.depth);
-    if (memory.is_read) {
-      ports.push_back({true, address, memory.read_address});
-      ports.push_back({true, 1, memory.read_enable});
-      ports.push_back({false, memory.width, memory.read_data});
-    }
-    if (memory.is_written) {
-      ports.push_back({true, address, memory.write_address});
-      ports.push_back({true, 1, memory.write_select});
-      ports.push_back({true, 1, memory.write_enable});
-      ports.push_back({true, memory.width, memory.write_data});
+    for (const InterfaceMemoryPort& port : memory.ports) {
+      ports.push_back({true, address_bits(memory.depth), port.address});
+      ports.push_back({true, 1, port.enable});
+      if (!port.read_data.empty()) ports.push_back({false, memory.width, port.read_data});
+      if (port.write_enable.empty()) continue;
+      ports.push_back({true, 1, port.write_enable});
+      ports.push_back({true, memory.width, port.write_data});
     }
   }
   return ports;

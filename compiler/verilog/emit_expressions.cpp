@@ -5,7 +5,8 @@
 
 namespace hlsc {
 
-std::string ProcessEmitter::expression(const Operation& op, Place at) {
+std::string ProcessEmitter::expression(ValueId id, Place at) {
+  const Operation& op = process_[id];
   unsigned w = op.bits;
   auto operand = [&](size_t i, unsigned width) { return text(op.operands[i], width, at); };
   switch (op.kind) {
@@ -49,7 +50,7 @@ std::string ProcessEmitter::expression(const Operation& op, Place at) {
     case OpKind::kFull:
       return "~" + process_.streams[op.object].name + "_full_n";
     case OpKind::kLoad:
-      return loaded(op, at);
+      return loaded(id, at);
     default:
       throw CompileError(op.location,
                          "this operation has no Verilog form yet; write it with + - * and shifts");
@@ -227,11 +228,13 @@ std::string ProcessEmitter::comparison(const Operation& op, Place at) {
   return left + " " + signs[static_cast<int>(op.compare)] + " " + right;
 }
 
-std::string ProcessEmitter::loaded(const Operation& op, Place at) {
+std::string ProcessEmitter::loaded(ValueId id, Place at) {
+  const Operation& op = process_[id];
   const Memory& memory = process_.memories[op.object];
   std::string word;
   if (memory.load_latency > 0) {
     word = memory.name + "_q";
+    if (memory.kind == MemoryKind::kPort) word += std::to_string(schedule_.port[id]);
   } else if (memory.kind == MemoryKind::kRom) {
     word = memory.name + "_at(" + text(op.operands[0], address_bits(memory.depth), at) + ")";
     if (op.bits != memory.width) word = auxiliary(op, memory.width, word);

@@ -29,36 +29,35 @@ void ProcessEmitter::emit_memory(size_t index) {
   if (memory.kind == MemoryKind::kPort) emit_memory_port(memory, accesses);
 }
 
-ProcessEmitter::PortSignals ProcessEmitter::port_of(const Memory& memory,
-                                                    const std::vector<ValueId>& accesses, OpKind kind) {
-  PortSignals port;
+std::vector<ValueId> ProcessEmitter::of_kind(const std::vector<ValueId>& accesses, OpKind kind) const {
   std::vector<ValueId> users;
   for (ValueId id : accesses)
     if (process_[id].kind == kind) users.push_back(id);
+  return users;
+}
+
+ProcessEmitter::PortSignals ProcessEmitter::port_of(const Memory& memory, const std::vector<ValueId>& users) {
+  PortSignals port;
   for (size_t i = 0; i < users.size(); ++i) {
     const Operation& op = process_[users[i]];
+    bool is_load = op.kind == OpKind::kLoad, is_last = i + 1 == users.size();
     Place at{op.block, schedule_.start[users[i]]};
-    std::string when = kind == OpKind::kLoad ? happens(at) : happens(op, at);
-    for (int stage = 1; kind == OpKind::kLoad && stage < static_cast<int>(memory.load_latency); ++stage)
+    std::string when = is_load ? happens(at) : happens(op, at);
+    for (int stage = 1; is_load && stage < static_cast<int>(memory.load_latency); ++stage)
       port.advance[stage] += (i ? " | (" : "(") + happens({op.block, at.cycle + stage}) + ")";
     port.enable += (i ? " | " : "") + (users.size() > 1 ? "(" + when + ")" : when);
-    std::string address = text(op.operands[0], address_bits(memory.depth), at);
-    std::string data = kind == OpKind::kStore ? text(op.operands[1], memory.width, at) : "";
-    std::string separator =
-        i + 1 < users.size()
-            ? active(at) +
-                  (op.predicate != kNoValue && kind == OpKind::kStore ? " & " + bit(op.predicate, at) : "") +
-                  " ? "
-            : "";
-    port.address += separator + address + (separator.empty() ? "" : " : ");
-    port.data += separator + data + (separator.empty() ? "" : " : ");
+    std::string wish =
+        active(at) + (op.predicate != kNoValue && !is_load ? " & " + bit(op.predicate, at) : "");
+    std::string choice = is_last ? "" : wish + " ? ", otherwise = is_last ? "" : " : ";
+    port.address += choice + text(op.operands[0], address_bits(memory.depth), at) + otherwise;
+    if (!is_load) port.data += choice + text(op.operands[1], memory.width, at) + otherwise;
   }
   return port;
 }
 
 void ProcessEmitter::emit_ram(const Memory& memory, const std::vector<ValueId>& accesses) {
-  PortSignals write = port_of(memory, accesses, OpKind::kStore),
-              read = port_of(memory, accesses, OpKind::kLoad);
+  PortSignals write = port_of(memory, of_kind(accesses, OpKind::kStore)),
+              read = port_of(memory, of_kind(accesses, OpKind::kLoad));
   unsigned address = address_bits(memory.depth);
   const std::string& name = memory.name;
   if (read.enable.empty()) return;
@@ -150,28 +149,24 @@ void ProcessEmitter::emit_register_memory(const Memory& memory, const std::vecto
 }
 
 void ProcessEmitter::emit_memory_port(const Memory& memory, const std::vector<ValueId>& accesses) {
-  PortSignals write = port_of(memory, accesses, OpKind::kStore),
-              read = port_of(memory, accesses, OpKind::kLoad);
-  unsigned address = address_bits(memory.depth);
-  int port = 0;
   auto output = [&](const std::string& name, unsigned width, const std::string& value) {
     ports_ << ",\n    output wire" << range_text(width) << " " << name;
     bodies_ << "    assign " << name << " = " << value << ";\n";
   };
   bodies_ << "\n";
-  if (!read.enable.empty()) {
-    std::string q = memory.name + "_q" + std::to_string(port);
-    output(memory.name + "_address" + std::to_string(port), address, read.address);
-    output(memory.name + "_ce" + std::to_string(port), 1, read.enable);
-    ports_ << ",\n    input wire" << range_text(memory.width) << " " << q;
-    registers_ << "    wire" << range_text(memory.width) << " " << memory.name << "_q = " << q << ";\n";
-    ++port;
-  }
-  if (!write.enable.empty()) {
-    output(memory.name + "_address" + std::to_string(port), address, write.address);
-    output(memory.name + "_ce" + std::to_string(port), 1, write.enable);
-    output(memory.name + "_we" + std::to_string(port), 1, write.enable);
-    output(memory.name + "_d" + std::to_string(port), memory.width, write.data);
+  for (int number = 0; number < static_cast<int>(memory.ports.size()); ++number) {
+    std::vector<ValueId> users;
+    for (ValueId id : accesses)
+      if (schedule_.port[id] == number) users.push_back(id);
+    PortSignals port = port_of(memory, users), write = port_of(memory, of_kind(users, OpKind::kStore));
+    auto signal = [&](const char* suffix) { return memory.name + suffix + std::to_string(number); };
+    output(signal("_address"), address_bits(memory.depth), port.address);
+    output(signal("_ce"), 1, port.enable);
+    if (memory.ports[number].reads)
+      ports_ << ",\n    input wire" << range_text(memory.width) << " " << signal("_q");
+    if (!memory.ports[number].writes) continue;
+    output(signal("_we"), 1, write.enable);
+    output(signal("_d"), memory.width, write.data);
   }
 }
 

@@ -70,8 +70,8 @@ void ProcessEmitter::emit_operation(ValueId id, int block) {
   if (op.is_stream_access()) stream_accesses_[op.object].push_back(id);
   if (op.kind == OpKind::kOutput) outputs_[op.object].push_back(id);
   if (!op.has_result()) return;
-  std::string value = expression(op, {block, schedule_.ready[id]});
-  if (op.kind == OpKind::kLoad) value = expression(op, at);
+  std::string value = expression(id, {block, schedule_.ready[id]});
+  if (op.kind == OpKind::kLoad) value = expression(id, at);
   wires_ << "    wire " << range_text_spaced(op.bits) << op.name << " = " << value << ";" << where << "\n";
 }
 

@@ -517,19 +517,22 @@ class TopWriter {
         if (memory.is_aggregate || leaf.byte_offset == memory.byte_offset) outside.leaves.push_back(leaf);
       outside.is_read = memory.is_read;
       outside.is_written = memory.is_written;
-      unsigned address = address_bits(memory.depth);
-      std::string number = "0", bank = modes_.bank(parameter.name);
-      if (memory.is_read) {
-        port_or_wire(bank, "output", address, outside.read_address = outside.name + "_address0");
-        port_or_wire(bank, "output", 1, outside.read_enable = outside.name + "_ce0");
-        port_or_wire(bank, "input", memory.width, outside.read_data = outside.name + "_q0");
-        number = "1";
-      }
-      if (memory.is_written) {
-        port_or_wire(bank, "output", address, outside.write_address = outside.name + "_address" + number);
-        port_or_wire(bank, "output", 1, outside.write_select = outside.name + "_ce" + number);
-        port_or_wire(bank, "output", 1, outside.write_enable = outside.name + "_we" + number);
-        port_or_wire(bank, "output", memory.width, outside.write_data = outside.name + "_d" + number);
+      std::string bank = modes_.bank(parameter.name);
+      for (size_t number = 0; number < memory.ports.size(); ++number) {
+        auto add = [&](const char* direction, unsigned width, const char* signal) {
+          std::string name = outside.name + signal + std::to_string(number);
+          port_or_wire(bank, direction, width, name);
+          return name;
+        };
+        InterfaceMemoryPort signals;
+        signals.address = add("output", address_bits(memory.depth), "_address");
+        signals.enable = add("output", 1, "_ce");
+        if (memory.ports[number].reads) signals.read_data = add("input", memory.width, "_q");
+        if (memory.ports[number].writes) {
+          signals.write_enable = add("output", 1, "_we");
+          signals.write_data = add("output", memory.width, "_d");
+        }
+        outside.ports.push_back(signals);
       }
       if (bank.empty())
         interface_.memories.push_back(outside);
@@ -562,12 +565,12 @@ class TopWriter {
     std::vector<std::string> names;
     for (const Memory& memory : process.memories) {
       if (memory.kind != MemoryKind::kPort || tied_.count(memory.name)) continue;
-      std::string number = memory.is_read ? "1" : "0";
-      if (memory.is_read)
-        for (const char* suffix : {"_address0", "_ce0", "_q0"}) names.push_back(memory.name + suffix);
-      if (memory.is_written)
-        for (const char* suffix : {"_address", "_ce", "_we", "_d"})
-          names.push_back(memory.name + suffix + number);
+      for (size_t number = 0; number < memory.ports.size(); ++number) {
+        std::vector<const char*> suffixes = {"_address", "_ce"};
+        if (memory.ports[number].reads) suffixes.push_back("_q");
+        if (memory.ports[number].writes) suffixes.insert(suffixes.end(), {"_we", "_d"});
+        for (const char* suffix : suffixes) names.push_back(memory.name + suffix + std::to_string(number));
+      }
     }
     return names;
   }

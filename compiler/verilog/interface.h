@@ -26,16 +26,28 @@ struct InterfaceStream {
   int index = -1;  ///< Of an array of streams; -1: no array.
 };
 
-/// An array outside: word addresses, the answer to a read comes a cycle later.
+/// Signals of one port of an array outside: word addresses, the answer to a read comes a cycle later. A word
+/// is written when `enable` and `write_enable` are up.
+struct InterfaceMemoryPort {
+  std::string address, enable;
+  std::string read_data;                 ///< Empty: it does not read.
+  std::string write_enable, write_data;  ///< Empty: it does not write.
+};
+
+/// An array outside.
 struct InterfaceMemory {
   std::string name;
-  std::string read_address, read_enable, read_data;
-  std::string write_address, write_select, write_enable, write_data;  ///< Written when select and enable are up.
+  std::vector<InterfaceMemoryPort> ports;
   unsigned width = 0;
   uint64_t depth = 0, stride = 0;  ///< Words; bytes from element to element in C++.
   bool is_read = false, is_written = false;
   int argument = -1;
   std::vector<Leaf> leaves;  ///< Of an element, in the word's bits from the lowest.
+
+  /// The port of an array with at most one that reads, which it has.
+  const InterfaceMemoryPort& reader() const { return ports.front(); }
+  /// The same for writing.
+  const InterfaceMemoryPort& writer() const { return ports.back(); }
 };
 
 /// A scalar argument, or the return value, in a bank of registers.

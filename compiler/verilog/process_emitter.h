@@ -118,7 +118,7 @@ class ProcessEmitter {
   void emit_copies();
 
   // Operations as expressions (emit_expressions.cpp)
-  std::string expression(const Operation& op, Place at);
+  std::string expression(ValueId id, Place at);
   bool is_all_ones(ValueId id, unsigned width) const;
   /// Factors at the widths they really have: a DSP block takes signed factors, and a tool that sees a factor
   /// extended to the product's width takes several blocks.
@@ -139,12 +139,13 @@ class ProcessEmitter {
   std::string comparison(const Operation& op, Place at);
   /// A comparison with a power of two or 0 as a test of the bits above it; empty where it is none.
   std::string top_bits_test(const Operation& op, unsigned width, bool is_signed, Place at);
-  std::string loaded(const Operation& op, Place at);
+  std::string loaded(ValueId id, Place at);
 
   // Memories (emit_memories.cpp)
   void emit_memory(size_t index);
-  /// Enable, address and data of the one port that all accesses of `kind` share.
-  PortSignals port_of(const Memory& memory, const std::vector<ValueId>& accesses, OpKind kind);
+  std::vector<ValueId> of_kind(const std::vector<ValueId>& accesses, OpKind kind) const;
+  /// Enable, address and data of the one port that `users` share.
+  PortSignals port_of(const Memory& memory, const std::vector<ValueId>& users);
   void emit_ram(const Memory& memory, const std::vector<ValueId>& accesses);
   /// Block RAM starts as zero on every target; other contents and simulation need to be told.
   void emit_initial_words(const Memory& memory, const std::string& array);

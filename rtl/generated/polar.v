@@ -59,7 +59,6 @@ module polar (
     reg [9:0] row_start_2;
     reg [11:0] high_before;
     reg [5:0] for_2_active;  // stages at work
-    wire [110:0] lines_q = lines_q0;
     wire [15:0] left_columns_q;
     wire [16:0] right_columns_q;
     wire [95:0] states_q;
@@ -247,7 +246,7 @@ module polar (
     wire both_7 = both_6 & test_13;  // polar.h:290
     wire [7:0] value_26 = at_5[7:0];  // polar.h:291
     wire [7:0] sum_12 = value_26 + 8'd251;  // polar.h:291
-    wire [110:0] lines_word = lines_q;  // polar.h:292
+    wire [110:0] lines_word = lines_q0;  // polar.h:292
     wire [11:0] shifted_6 = lines_word[24:13];  // polar.h:292
     wire [11:0] shifted_7 = lines_word[36:25];  // polar.h:292
     wire [11:0] shifted_8 = lines_word[48:37];  // polar.h:292
