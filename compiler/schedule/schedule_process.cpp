@@ -407,8 +407,8 @@ class BlockScheduler {
     choose_ports(result);
   }
 
-  /// Of what happens in one cycle, loads take ports from the first on and stores from the last on: so an
-  /// array that is read and written in turns has one port for each.
+  /// Of what happens in one cycle, loads take ports from the first on, and stores from the last on where
+  /// there are loads: so an array that is read and written in turns has one port for each.
   void choose_ports(ProcessSchedule& result) const {
     std::map<std::pair<int, int>, int> loads, stores;
     for (ValueId id : block_.operations) {
@@ -416,10 +416,9 @@ class BlockScheduler {
       if (!op.is_memory_access()) continue;
       const Memory& memory = process_.memories[op.object];
       int cycle = problem_.ii ? result.start[id] % problem_.ii : result.start[id];
-      int last = memory.has_two_ports || (memory.is_read && memory.is_written) ? 1 : 0;
       bool is_load = op.kind == OpKind::kLoad;
       int before = memory.has_two_ports ? (is_load ? loads : stores)[{op.object, cycle}]++ : 0;
-      result.port[id] = is_load ? before : last - before;
+      result.port[id] = !is_load && memory.is_read ? 1 - before : before;
     }
   }
 

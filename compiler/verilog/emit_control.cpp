@@ -16,6 +16,7 @@ std::string upper(std::string text) {
 }  // namespace
 
 void ProcessEmitter::name_states() {
+  for (const char* own : {"S_IDLE", "S_DONE"}) names_.unique(own);
   states_.push_back("S_IDLE");
   for (size_t block = 0; block < process_.blocks.size(); ++block) {
     state_names_.emplace_back();

@@ -2,7 +2,7 @@
 // top: loop_unroll_partial
 int loop_unroll_partial(const int a[32]) {
   int sum = 0;
-  for (int i = 0; i < 32; ++i) {  // expect: loop II=3 because the read port of 'a'
+  for (int i = 0; i < 32; ++i) {  // expect: loop II=2 because the pair of ports of 'a'
 #pragma HLS UNROLL factor=4
     sum += a[i] * (i & 3);
   }

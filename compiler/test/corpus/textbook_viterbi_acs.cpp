@@ -4,7 +4,7 @@ unsigned textbook_viterbi_acs(const unsigned char metric[16][4]) {
   unsigned short cost[4] = {0, 99, 99, 99};
 #pragma HLS ARRAY_PARTITION variable=cost complete
   unsigned decisions = 0;
-  for (int t = 0; t < 16; ++t) {  // expect: loop II=4 because the read port of 'metric'
+  for (int t = 0; t < 16; ++t) {  // expect: loop II=2 because the pair of ports of 'metric'
 #pragma HLS PIPELINE
     unsigned short next[4];
 #pragma HLS ARRAY_PARTITION variable=next complete
