@@ -45,8 +45,7 @@ void ProcessBuilder::read_partitions(Value* pointer, MemoryObject& object) {
   for (const MemoryLeaf& leaf : object.leaves) object.partitions.emplace_back(leaf.dims.size());
   for (const ObjectDirective& entry : middle_.directives.of(pointer, "ARRAY_PARTITION"))
     for (size_t leaf = 0; leaf < object.leaves.size(); ++leaf)
-      if (object.leaves[leaf].byte_offset >= entry.offset &&
-          object.leaves[leaf].byte_offset < entry.offset + entry.bytes)
+      if (entry.covers(object.leaves[leaf].byte_offset))
         partition(object.partitions[leaf], object.leaves[leaf], entry);
 }
 
@@ -94,7 +93,7 @@ int ProcessBuilder::memory_of(MemoryObject& object, Value* pointer, size_t leaf,
   memory.name = names_.unique(object.leaf_names[leaf] + bank_suffix, "memory");
   memory.width = object.widths[leaf];
   memory.is_signed = object.signedness[leaf];
-  memory.claims = claims_of(pointer);
+  if (!shape.dims.empty()) memory.claims = claims_of(pointer, shape);
   memory.is_aggregate = object.is_aggregate;
   if (object.is_aggregate) {
     memory.name = names_.unique(object.name);
@@ -155,9 +154,10 @@ bool ProcessBuilder::may_have_two_ports(Argument& argument) const {
 
 bool ProcessBuilder::is_constant_table(const GlobalVariable& global) { return global.isConstant(); }
 
-std::vector<DependenceClaim> ProcessBuilder::claims_of(Value* pointer) {
+std::vector<DependenceClaim> ProcessBuilder::claims_of(Value* pointer, const MemoryLeaf& leaf) {
   std::vector<DependenceClaim> claims;
   for (const ObjectDirective& entry : middle_.directives.of(pointer, "DEPENDENCE")) {
+    if (entry.bytes && !entry.covers(leaf.byte_offset)) continue;  // 0: a parameter, which is the array.
     const Directive& directive = entry.directive;
     auto says = [&](const char* option, const char* word) {
       return directive.has(word) || StringRef(directive.text(option)).equals_insensitive(word);

@@ -123,7 +123,7 @@ class ProcessBuilder {
   /// Whether a parameter is an array outside the top, behind which a memory with two ports can lie: it is no
   /// channel between processes, not in a bank of registers, and nobody asks for a single port.
   bool may_have_two_ports(llvm::Argument& argument) const;
-  std::vector<DependenceClaim> claims_of(llvm::Value* pointer);
+  std::vector<DependenceClaim> claims_of(llvm::Value* pointer, const MemoryLeaf& leaf);
   /// Contents of one bank; a single word stands for all words alike.
   std::vector<llvm::APInt> initial_words(llvm::GlobalVariable& global, const MemoryObject& object,
                                          size_t leaf, uint64_t bank, uint64_t depth);

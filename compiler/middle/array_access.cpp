@@ -194,9 +194,25 @@ class SubscriptSeparator {
   std::vector<MemoryLeaf> leaves_;
 };
 
-bool wants_separation(Value* object, Type* type, const DirectiveTable& directives) {
+bool lies_between_processes(const Value& object) {
+  return any_of(object.users(), [](const User* user) {
+    auto* call = dyn_cast<CallInst>(user);
+    return call && call->getCalledFunction() && !call->getCalledFunction()->isDeclaration();
+  });
+}
+
+/// Warns of the partition of an array between processes, which is one memory.
+bool wants_separation(Value* object, Type* type, const DirectiveTable& directives, Diagnostics& diagnostics) {
   if (holds_streams(type)) return false;
-  return is_irregular(type) || !directives.of(object, "ARRAY_PARTITION").empty();
+  if (is_irregular(type)) return true;
+  std::vector<ObjectDirective> partitions = directives.of(object, "ARRAY_PARTITION");
+  if (!partitions.empty() && lies_between_processes(*object)) {
+    diagnostics.warn(partitions[0].location,
+                     "ARRAY_PARTITION of '" + object->getName().str() +
+                         "' has no effect: it lies between two processes, as one memory");
+    return false;
+  }
+  return !partitions.empty();
 }
 
 bool has_variable_subscript(const Value& pointer) {
@@ -253,11 +269,11 @@ bool is_element_address(const Value* value) {
          call->getCalledFunction()->getName().starts_with(kElementPrefix);
 }
 
-void separate_subscripts(const Program& program, const DirectiveTable& directives) {
+void separate_subscripts(const Program& program, const DirectiveTable& directives, Diagnostics& diagnostics) {
   Module& module = *program.module;
   for (Value* object : objects_of(module))
     if (Type* type = object_type(object);
-        type && type->isAggregateType() && wants_separation(object, type, directives))
+        type && type->isAggregateType() && wants_separation(object, type, directives, diagnostics))
       SubscriptSeparator(object, type, module.getDataLayout()).run();
   for (Function& function : module)
     for (Argument& argument : function.args())

@@ -35,8 +35,9 @@ std::vector<MemoryLeaf> memory_leaves(const llvm::DataLayout& layout, llvm::Type
 
 /// Rewrites the addresses of partitioned and of irregular objects (arrays inside structs, local or a
 /// parameter) as `ptr hls.element(object, leaf offset, subscripts...)`. Throws CompileError where a pointer
-/// into such an object is not a plain subscript.
-void separate_subscripts(const Program& program, const DirectiveTable& directives);
+/// into such an object is not a plain subscript. A partition of an array between processes has no effect: a
+/// warning.
+void separate_subscripts(const Program& program, const DirectiveTable& directives, Diagnostics& diagnostics);
 
 /// Turns `hls.element` back into plain addresses for objects whose subscripts all became constants, so that
 /// they dissolve into registers.

@@ -32,6 +32,8 @@ struct ObjectDirective {
   size_t dims = 0;
   Directive directive;
   SourceLocation location;
+
+  bool covers(uint64_t byte) const { return byte >= offset && byte < offset + bytes; }
 };
 
 /// A directive on a port of a function.

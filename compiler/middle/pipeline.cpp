@@ -423,6 +423,16 @@ bool holds_stream(Type* type) {
 }
 
 /// What a port without handshake gives does not change while C++ looks on, so accesses may be joined.
+/// Clang marks the end of a static constant's construction for LLVM.
+void drop_invariant_marks(Module& module) {
+  for (Function& function : module)
+    for (Instruction& instruction : make_early_inc_range(instructions(function))) {
+      auto* mark = dyn_cast<IntrinsicInst>(&instruction);
+      if (mark && mark->getIntrinsicID() == Intrinsic::invariant_start && mark->use_empty())
+        mark->eraseFromParent();
+    }
+}
+
 void drop_volatile(Module& module, Diagnostics& diagnostics) {
   for (Function& function : module)
     for (Instruction& instruction : instructions(function)) {
@@ -456,6 +466,7 @@ MiddleResult run_middle(Program& program, const LoopChoice& keeps_apart, bool in
   remove_host_calls(module, diagnostics);
   drop_volatile(module, diagnostics);
   place_tasks(module);
+  drop_invariant_marks(module);
   resolve_loop_directives(module, result.directives, diagnostics);
   expand_memory_copies(module);
   lower_streams(module, program.stream_types);
@@ -487,7 +498,7 @@ MiddleResult run_middle(Program& program, const LoopChoice& keeps_apart, bool in
   for (Function& function : module) resolve_pointer_choices(function);
   optimizer.promote_locals();
   for (Function& function : module) split_wide_accesses(function);
-  separate_subscripts(program, result.directives);
+  separate_subscripts(program, result.directives, diagnostics);
   optimizer.optimize();
   for (Function& function : module) {
     resolve_pointer_choices(function);

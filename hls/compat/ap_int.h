@@ -4,7 +4,9 @@
 
 #include "detail/operators.h"
 #include "detail/real.h"
-#ifndef __SYNTHESIS__
+#ifdef __SYNTHESIS__
+#include "detail/literal.h"
+#else
 #include "detail/text.h"
 #endif
 
@@ -22,7 +24,11 @@ struct ap_int_base : ap_detail::Bits<W, S> {
   AP_EXPRESSION ap_int_base(const T& x) : Base(ap_detail::FromBits(), ap_detail::integer(x)) {}
   AP_EXPRESSION ap_int_base(double x) : Base(ap_detail::FromBits(), ap_detail::real_to_integer<W>(x)) {}
   AP_EXPRESSION ap_int_base(float x) : ap_int_base(double(x)) {}
-#ifndef __SYNTHESIS__
+#ifdef __SYNTHESIS__
+  template <int N>
+  ap_int_base(const char (&text)[N], int radix = 0)
+      : Base(ap_detail::FromBits(), ap_detail::literal_integer<W>(text, radix)) {}
+#else
   /// "-12", "0x1f", "0b101", "0o17"; digits of `radix` when it is given.
   ap_int_base(const char* text, int radix = 0)
       : Base(ap_detail::FromBits(), ap_detail::parse_integer<W>(text, radix)) {}

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "literal.h"
 #include "operands.h"
 
 namespace ap_detail {
@@ -39,27 +40,13 @@ std::string integer_text(Unsigned<W> bits, bool as_signed, int radix) {
          digits<W>(negative ? static_cast<Unsigned<W>>(-bits) : bits, radix);
 }
 
-inline int digit_value(char c) {
-  return c >= '0' && c <= '9'   ? c - '0'
-         : c >= 'a' && c <= 'z' ? c - 'a' + 10
-         : c >= 'A' && c <= 'Z' ? c - 'A' + 10
-                                : 36;
-}
-
-/// Takes a radix prefix off the text; 10 without one.
-inline int take_radix(const char*& text) {
-  if (text[0] != '0') return 10;
-  const int radix = (text[1] | 32) == 'x' ? 16 : (text[1] | 32) == 'b' ? 2 : (text[1] | 32) == 'o' ? 8 : 10;
-  if (radix != 10) text += 2;
-  return radix;
-}
-
 template <int W>
 Unsigned<W> parse_integer(const char* text, int radix) {
   const std::string whole = text;
   const bool negative = *text == '-';
   if (*text == '-' || *text == '+') ++text;
-  const int prefix = take_radix(text);
+  const int prefix = prefix_radix(text);
+  if (prefix != 10) text += 2;
   if (radix == 0) radix = prefix;
   typedef Unsigned<larger(W, 7)> Wide;
   Wide value = 0;
