@@ -423,6 +423,27 @@ bool holds_stream(Type* type) {
 }
 
 /// What a port without handshake gives does not change while C++ looks on, so accesses may be joined.
+/// LLVM knows the values of these functions under their names in C alone.
+void name_functions_of_reals(Module& module) {
+  static const std::map<Intrinsic::ID, std::string> kNames = {
+      {Intrinsic::tan, "tan"},   {Intrinsic::asin, "asin"}, {Intrinsic::acos, "acos"},
+      {Intrinsic::atan, "atan"}, {Intrinsic::sinh, "sinh"}, {Intrinsic::cosh, "cosh"},
+      {Intrinsic::tanh, "tanh"}};
+  for (Function& function : make_early_inc_range(module)) {
+    auto name = kNames.find(function.getIntrinsicID());
+    bool is_double = name != kNames.end() && function.getReturnType()->isDoubleTy();
+    if (!is_double && (name == kNames.end() || !function.getReturnType()->isFloatTy())) continue;
+    FunctionCallee named =
+        module.getOrInsertFunction(name->second + (is_double ? "" : "f"), function.getFunctionType());
+    auto* callee = cast<Function>(named.getCallee());
+    callee->setDoesNotAccessMemory();
+    callee->setDoesNotThrow();
+    callee->addFnAttr(Attribute::WillReturn);
+    function.replaceAllUsesWith(callee);
+    function.eraseFromParent();
+  }
+}
+
 /// Clang marks the end of a static constant's construction for LLVM.
 void drop_invariant_marks(Module& module) {
   for (Function& function : module)
@@ -467,6 +488,7 @@ MiddleResult run_middle(Program& program, const LoopChoice& keeps_apart, bool in
   drop_volatile(module, diagnostics);
   place_tasks(module);
   drop_invariant_marks(module);
+  name_functions_of_reals(module);
   resolve_loop_directives(module, result.directives, diagnostics);
   expand_memory_copies(module);
   lower_streams(module, program.stream_types);
