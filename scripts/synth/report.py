@@ -24,13 +24,15 @@ def merge(rows):
 
 
 def net_sources(files):
-    """{name in the Verilog: 'file:line' of the C++ that its comment tells}, for the wires of generated Verilog."""
+    """{instance: {name in its Verilog: 'file:line' of the C++ that its comment tells}}, for the wires of generated Verilog. A file holds a module,
+    and its instance is called as the module is; the one of a top without DATAFLOW, TOP_core, is called core."""
     sources = {}
     for file in files:
+        module = sources.setdefault("core" if file.stem.endswith("_core") else file.stem, {})
         for line in file.read_text().splitlines():
             match = re.search(r"^\s*(?:wire|reg)\b.*?\b(\w+)\s*(?:=|;).*//\s*(\S+:\d+)", line)
             if match:
-                sources.setdefault(match.group(1), match.group(2))
+                module.setdefault(match.group(1), match.group(2))
     return sources
 
 
@@ -42,8 +44,9 @@ def plain_name(name):
 
 def source_of(name, sources):
     """The C++ line of a name in the Verilog, '' where there is none. Registers of a pipeline stage are NAME_s1, NAME_s2.. of a wire NAME."""
-    local = name.split(".")[-1]
-    return sources.get(local) or sources.get(re.sub(r"_s\d+$", "", local), "")
+    *instances, local = name.split(".")
+    module = next((sources[instance] for instance in reversed(instances) if instance in sources), {})
+    return module.get(local) or module.get(re.sub(r"_s\d+$", "", local), "")
 
 
 def critical_path(routed, files):

@@ -24,12 +24,14 @@ class Report(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             verilog = pathlib.Path(folder) / "polar.v"
             verilog.write_text("    wire [8:0] sum_7 = a + b;  // polar.h:101\n")
+            namesake = pathlib.Path(folder) / "binarize.v"
+            namesake.write_text("    wire [8:0] sum_7 = a + b;  // binarize.h:34\n    wire stall = c;  // binarize.h:35\n")
             path = [{"delay": 0.5, "from": {"cell": "design.core.polar.sum_7_s1_TRELLIS_FF_Q_4"}},
                     {"delay": 1.0, "from": {"cell": "design.core.polar.sum_7_s1_TRELLIS_FF_Q_4"}},
                     {"delay": 2.0, "from": {"cell": "design.core.stall_LUT4_A_Z"}}]
             steps = report.critical_path({"critical_paths": [
                 {"from": "posedge clk", "to": "posedge clk", "path": path[:1]}, {"from": "posedge clk", "to": "posedge clk", "path": path},
-                {"from": "<async>", "to": "posedge clk", "path": path + path}]}, [verilog])
+                {"from": "<async>", "to": "posedge clk", "path": path + path}]}, [namesake, verilog])
         self.assertEqual(steps, [{"at": "design.core.polar.sum_7_s1", "source": "polar.h:101", "ns": 1.5},
                                  {"at": "design.core.stall", "source": "", "ns": 3.5}])
 
