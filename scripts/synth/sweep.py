@@ -59,7 +59,9 @@ def sections(rows):
         table.append([f"{width}x{height}", *(xilinx["total"][key] for key in report.COLUMNS),
                       *(lattice["total"][key] if lattice else "-" for key in report.COLUMNS), route["mhz"] if route else "-",
                       smallest({"xc6v": xilinx, "ecp5": lattice})])
+    placed = ", ".join(f"{len(lattice['routes'])} at {width}x{height}" for width, height, _, lattice in rows if lattice and lattice["routes"])
     return [{"title": "Resources by frame size",
-             "note": "Yosys for Virtex-6 (7-series has the same blocks) and ECP5; clock: LFE5U-85F, speed grade 6, where it holds the design.",
+             "note": "Yosys for Virtex-6 (7-series has the same blocks) and ECP5; clock: LFE5U-85F, speed grade 6, where it holds the "
+                     f"design, the best of the placements tried ({placed}).",
              "columns": ["largest frame", "LUT", "FF", "RAMB36", "DSP48", "ECP5 LUT", "FF", "18 Kbit", "DSP", "MHz", "smallest FPGA of each family"],
              "rows": table}]
