@@ -205,8 +205,14 @@ class Compilation {
       stream.depth = std::max<int>(stream.depth, schedule_options_.target.least_fifo);
     bool is_of_tasks = std::all_of(region.instances.begin(), region.instances.end(),
                                    [](const Instance& instance) { return instance.is_task; });
-    if (is_of_tasks && modes.mode("return").empty())
-      modes.by_port["return"].options["mode"] = "ap_ctrl_none";  // Nothing that starts or ends.
+    if (is_of_tasks) {
+      std::string control = modes.mode("return");
+      if (!control.empty() && control != "ap_ctrl_none")
+        throw CompileError(result_.top.location,
+                           "tasks alone neither start nor end, so there is nothing for '" + control +
+                               "' to tell; write ap_ctrl_none, or nothing, for port=return");
+      modes.by_port["return"].options["mode"] = "ap_ctrl_none";
+    }
     CompiledProcess head = scheduled(region.head);
     region.head = head.process;
     result_.files.push_back(
