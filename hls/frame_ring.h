@@ -6,9 +6,10 @@
 /// Four banks by parity of row and column: the 2x2 cell around a mapped point lies in four banks and is read
 /// in one step. Row y of a frame lies in ring row (base + y) mod ring rows.
 ///
-/// Map. X, Y (Q14.18) and Z (Q4.28) are linear in u and v and are accumulated. x = X / Z and y = Y / Z come
-/// from one reciprocal (reciprocal.h) and one multiplication each, within 0.05 px for images up to 2048
-/// columns, rounded to 64ths of a pixel.
+/// Map. X, Y (Q14.18) and Z (Q4.28) are linear in u and v and are accumulated. x = width / 2 + X / Z and
+/// y = height / 2 + Y / Z come from one reciprocal (reciprocal.h) and one multiplication each, within 0.03 px
+/// for images up to 2048 columns, rounded to 64ths of a pixel. What the reciprocal lacks grows with X and Y,
+/// which is why they count from the middle of the image.
 ///
 /// Pair: reference, interpolated linearly in the cell at floor(x), floor(y) and rounded; gradient, the
 /// greater difference across a diagonal of the cell (Roberts' cross: |dI/dx| + |dI/dy| of the interpolated
@@ -42,11 +43,11 @@ struct AxisCell {
   bool single;  ///< second == first.
 };
 
-/// coordinate: in 128ths of a pixel, rounded down.
-inline AxisCell axis_cell(ap_int<26> coordinate, Size extent) {
+/// from_middle: coordinate less extent / 2, in 128ths of a pixel, rounded down.
+inline AxisCell axis_cell(ap_int<26> from_middle, Size extent) {
 #pragma HLS INLINE
-  const ap_int<26> rounded = (coordinate + 1) >> 1;
-  const ap_int<20> below = rounded >> 6;
+  const ap_int<26> rounded = (from_middle + 1) >> 1;
+  const ap_int<20> below = (rounded >> 6) + (extent >> 1);
   const Size last = extent - 1;
   AxisCell cell;
   cell.place = Place(rounded);

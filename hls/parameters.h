@@ -7,7 +7,8 @@
 namespace floorline {
 
 /// A projective map (u, v) -> (X / Z, Y / Z), row by row.
-/// frame_ring: X, Y in Q14.18 pixels, Z in Q4.28. birdseye: X, Y in Q14.18 metres, Z in Q4.28.
+/// frame_ring: X, Y in Q14.18 pixels from the image's middle (width / 2, height / 2, rounded down), Z in
+/// Q4.28. birdseye: X, Y in Q14.18 metres, Z in Q4.28.
 struct ProjectiveMap {
   ap_int<32> xu, xv, x1;
   ap_int<32> yu, yv, y1;
@@ -61,7 +62,7 @@ struct FrameParameters {
   Size roi_last_row;
   ap_uint<9> line_count;
   ap_uint<24> cluster_gap;   ///< Metres, Q8.16: points so near in x and y are one obstacle.
-  ProjectiveMap homography;  ///< Current pixel -> reference pixel.
+  ProjectiveMap homography;  ///< Current pixel -> reference pixel, from the image's middle.
   ProjectiveMap birdseye;    ///< Pixel -> floor metres in the robot frame.
   ThresholdParameters threshold;
   DisplacementParameters displacement;

@@ -86,6 +86,11 @@ double greatest_distance(const Eigen::Matrix3d& exact, const Eigen::Matrix3d& pa
   return greatest;
 }
 
+/// Pixel -> pixel from the image's middle.
+Eigen::Affine2d from_middle(cv::Size image) {
+  return Eigen::Affine2d(Eigen::Translation2d(-(image.width / 2), -(image.height / 2)));
+}
+
 PackedMap accept(const ProjectiveMap& map, double error, double bound, const std::string& name,
                  const std::string& unit) {
   if (!(error <= bound)) {
@@ -100,9 +105,9 @@ PackedMap accept(const ProjectiveMap& map, double error, double bound, const std
 PackedMap pack_homography(const Eigen::Matrix3d& reference_from_current, cv::Size image, cv::Rect roi) {
   const std::string name = "ground homography";
   const Eigen::Matrix3d exact = scaled(reference_from_current, roi, name);
-  const ProjectiveMap map = quantised(exact, roi, name);
-  const double error =
-      greatest_distance(exact, unpack(map), roi, [&](double z, const Eigen::Vector2d& point) {
+  const ProjectiveMap map = quantised(from_middle(image) * exact, roi, name);
+  const double error = greatest_distance(
+      exact, unpack_homography(map, image), roi, [&](double z, const Eigen::Vector2d& point) {
         return resolved(z) && point.x() > -1.0 && point.x() < image.width && point.y() > -1.0 &&
                point.y() < image.height;
       });
@@ -127,6 +132,10 @@ Eigen::Matrix3d unpack(const ProjectiveMap& map) {
       numerator(map.yu), numerator(map.yv), numerator(map.y1),   //
       denominator(map.zu), denominator(map.zv), denominator(map.z1);
   return m;
+}
+
+Eigen::Matrix3d unpack_homography(const ProjectiveMap& map, cv::Size image) {
+  return from_middle(image).inverse() * unpack(map);
 }
 
 }  // namespace floorline

@@ -21,7 +21,8 @@ struct PackedMap {
   double error;
 };
 
-/// Ground homography, current pixel -> reference pixel. Scaled so that Z = 1 at the centre of `roi`; the
+/// Ground homography, current pixel -> reference pixel, packed as current pixel -> reference pixel from the
+/// middle of the image. Scaled so that Z = 1 at the centre of `roi`; the
 /// error is taken over all pixels of the ROI whose Z the accelerator accepts, (2^-4, 8), and that land in the
 /// image. Throws Error for a non-finite or singular matrix, one that does not fit the format, and one beyond
 /// the error bound.
@@ -33,6 +34,10 @@ PackedMap pack_birdseye(const Eigen::Matrix3d& floor_from_pixel, cv::Rect roi);
 
 /// The matrix that a packed map stands for, Z = 1 at the centre of the ROI it was packed with.
 Eigen::Matrix3d unpack(const ProjectiveMap& map);
+
+/// The same for a ground homography, whose registers count from the middle of the image: current pixel ->
+/// reference pixel.
+Eigen::Matrix3d unpack_homography(const ProjectiveMap& map, cv::Size image);
 
 }  // namespace floorline
 

@@ -41,6 +41,8 @@ FrameParameters frame_parameters() {
   parameters.line_count = LINES;
   parameters.homography.xu = 1 << 18;
   parameters.homography.yv = 1 << 18;
+  parameters.homography.x1 = -(WIDTH / 2 << 18);
+  parameters.homography.y1 = -(HEIGHT / 2 << 18);
   parameters.homography.z1 = 1 << 28;
   parameters.birdseye.xu = 2621;
   parameters.birdseye.yv = 2621;

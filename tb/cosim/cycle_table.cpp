@@ -22,6 +22,8 @@ FrameParameters parameters(cv::Size size) {
   p.roi_last_row = size.height - 1;
   p.cluster_gap = 1 << 14;
   p.homography.xu = p.homography.yv = 1 << 18;
+  p.homography.x1 = -(size.width / 2 << 18);
+  p.homography.y1 = -(size.height / 2 << 18);
   p.homography.z1 = 1 << 28;
   p.birdseye.xv = p.birdseye.yu = -2621;
   p.birdseye.x1 = 3 << 18;

@@ -16,11 +16,11 @@ constexpr double kUnit = 1 << 28;   ///< Its Z.
 
 ap_int<32> fixed(double value, double one) { return static_cast<int>(std::lround(value * one)); }
 
-ProjectiveMap translation(double x, double y) {
+ProjectiveMap translation(cv::Size size, double x, double y) {
   ProjectiveMap map = {};
   map.xu = map.yv = fixed(1, kPixel);
-  map.x1 = fixed(x, kPixel);
-  map.y1 = fixed(y, kPixel);
+  map.x1 = fixed(x - size.width / 2, kPixel);
+  map.y1 = fixed(y - size.height / 2, kPixel);
   map.z1 = fixed(1, kUnit);
   return map;
 }
@@ -80,7 +80,7 @@ FrameInput RandomFrames::floor_frame() {
   const cv::Point moved = first_ ? cv::Point() : offset_ - reference_offset_;
   const double error = chance(0.5) ? 0 : 0.6;
   p.homography =
-      translation(moved.x + random_.uniform(-error, error), moved.y + random_.uniform(-error, error));
+      translation(size_, moved.x + random_.uniform(-error, error), moved.y + random_.uniform(-error, error));
   p.threshold.low = number(0, 15);
   p.displacement.noise = number(0, 4);
   p.displacement.bound = number(0, 1 << 17);
@@ -114,7 +114,7 @@ FrameInput RandomFrames::contacts_frame() {
   p.erode_high = chance(0.2);
   if (chance(0.8)) p.roi_first_row = 0, p.roi_last_row = size_.height - 1;
   p.cluster_gap = number(0, 1 << number(11, 17));
-  p.homography = translation(0, 0);
+  p.homography = translation(size_, 0, 0);
   p.threshold.floor = number(0, 20);
   p.threshold.override_high = chance(0.5) ? 0 : number(1, 60);
   p.threshold.low = number(0, 60);  // From 33 on a speck's Gaussian is a single pixel.
@@ -129,7 +129,7 @@ FrameInput RandomFrames::contacts_frame() {
 FrameInput RandomFrames::splits_frame() {
   FrameParameters p = parameters(size_);
   p.replace_reference = 0;
-  p.homography = translation(0, 0);
+  p.homography = translation(size_, 0, 0);
   p.threshold.floor = chance(0.7) ? 0 : number(0, 255);
   p.threshold.override_high = 0;
   return {first_ ? cv::Mat::zeros(size_, CV_8UC1) : split_image(), p, {}};
@@ -204,10 +204,10 @@ ProjectiveMap RandomFrames::homography(cv::Size size) {
   ProjectiveMap map;
   map.xu = fixed(near(1, spread), kPixel);
   map.xv = fixed(near(0, spread), kPixel);
-  map.x1 = fixed(near(0, spread * size.width), kPixel);
+  map.x1 = fixed(near(-size.width / 2, spread * size.width), kPixel);
   map.yu = fixed(near(0, spread), kPixel);
   map.yv = fixed(near(1, spread), kPixel);
-  map.y1 = fixed(near(0, spread * size.height), kPixel);
+  map.y1 = fixed(near(-size.height / 2, spread * size.height), kPixel);
   map.zu = fixed(near(0, spread / size.width), kUnit);
   map.zv = fixed(near(0, spread / size.height), kUnit);
   map.z1 = fixed(near(1, spread), kUnit);

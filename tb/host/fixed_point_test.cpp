@@ -84,7 +84,7 @@ TEST(PackHomography, RefusesWhatIsNoMap) {
 
 TEST(PackHomography, RefusesWhatDoesNotFit) {
   Eigen::Matrix3d m = Eigen::Matrix3d::Identity();
-  m(0, 2) = 8192.0;
+  m(0, 2) = 8192.0 + kImage.width / 2;
   EXPECT_THAT(homography_message(m), HasSubstr("does not fit"));
 }
 

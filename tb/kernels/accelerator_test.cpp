@@ -32,13 +32,15 @@ const cv::Size kImage(160, 120);
 
 /// Identity homography, and a floor on which a pixel is a centimetre; no thresholds but the low and the floor
 /// one, no foot test.
-FrameParameters parameters() {
+FrameParameters parameters(cv::Size image = kImage) {
   FrameParameters p = {};
   p.replace_reference = 1;
   p.roi_first_row = 10;
   p.roi_last_row = 119;
   p.cluster_gap = 1 << 14;
   p.homography.xu = p.homography.yv = 1 << 18;
+  p.homography.x1 = -(image.width / 2 << 18);
+  p.homography.y1 = -(image.height / 2 << 18);
   p.homography.z1 = 1 << 28;
   p.birdseye.xv = -2621;
   p.birdseye.x1 = 3 << 18;
@@ -191,9 +193,10 @@ TEST(CSimulation, TakesWideFrames) {
   CSimulation csim(image.size());
   const std::vector<LineSetup> lines =
       line_table(beam_lines({{0, 600, 0}, image.size(), 200, 369, 256}), image.size());
-  const FrameOutput output = csim.run(image, parameters(), lines);
+  const FrameOutput output = csim.run(image, parameters(image.size()), lines);
   EXPECT_EQ(output.null_pixels, image.size().area());
-  const FrameOutput top = run_top<WideConfig>(floorline_accelerator_wide, image, parameters(), lines);
+  const FrameOutput top =
+      run_top<WideConfig>(floorline_accelerator_wide, image, parameters(image.size()), lines);
   EXPECT_EQ(top.null_pixels, 0) << "the frame before is the reference";
   EXPECT_EQ(top.counts, output.counts);
 }

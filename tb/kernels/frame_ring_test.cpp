@@ -18,7 +18,9 @@ constexpr double kCoordinateBound = 0.05;
 /// What it really is on frames of up to 64 columns, with a margin.
 constexpr double kSmallFrameError = 0.004;
 
-ProjectiveMap pack(const cv::Matx33d& h) {
+ProjectiveMap pack(const cv::Matx33d& homography, cv::Size size) {
+  const cv::Matx33d from_middle(1, 0, -(size.width / 2), 0, 1, -(size.height / 2), 0, 0, 1);
+  const cv::Matx33d h = from_middle * homography;
   const auto fixed = [](double value, int fraction) {
     return ap_int<32>(std::llround(std::ldexp(value, fraction)));
   };
@@ -59,7 +61,7 @@ class Kernel {
     hls::stream<ap_uint<24>> nulls("null pixels");
     send(image, in);
     frame_ring<MAX_WIDTH, MAX_HEIGHT, MARGIN>(in, out, nulls, image.cols, image.rows, replace,
-                                              pack(homography));
+                                              pack(homography, image.size()));
     EXPECT_TRUE(in.empty());
     null_pixels = nulls.read().to_int();
     EXPECT_TRUE(nulls.empty());
@@ -223,9 +225,9 @@ TEST(FrameRing, DenominatorsOutOfRangeGiveNullPixels) {
   EXPECT_EQ(cv::countNonZero(kernel.pair(noise(size, 2), h, false).valid), size.area());
 }
 
-/// Greatest distance between the kernel's coordinates, before they are cut to half pixels, and real ones.
+/// Greatest distance between the kernel's coordinates, before they are rounded, and real ones.
 double worst_coordinate(const cv::Matx33d& h, cv::Size size) {
-  const ProjectiveMap map = pack(h);
+  const ProjectiveMap map = pack(h, size);
   LinearWalk x_walk(map.x1 + 64, map.xu, map.xv), y_walk(map.y1 + 64, map.yu, map.yv),
       z_walk(map.z1 - 1, map.zu, map.zv);
   double worst = 0;
@@ -235,8 +237,10 @@ double worst_coordinate(const cv::Matx33d& h, cv::Size size) {
     const Reciprocal denominator = reciprocal(z_walk.value);
     if (denominator.valid && cv::Rect2d(-0.5, -0.5, size.width, size.height).contains(exact)) {
       // 11 fraction bits, rounded down.
-      const double x = (quotient<13>(x_walk.value >> 7, denominator).to_double() + 0.5) / 2048;
-      const double y = (quotient<13>(y_walk.value >> 7, denominator).to_double() + 0.5) / 2048;
+      const auto coordinate = [&](const LinearWalk& walk, int middle) {
+        return middle + (quotient<13>(walk.value >> 7, denominator).to_double() + 0.5) / 2048;
+      };
+      const double x = coordinate(x_walk, size.width / 2), y = coordinate(y_walk, size.height / 2);
       worst = std::max({worst, std::abs(x - exact.x), std::abs(y - exact.y)});
     }
     x_walk.advance(at.at_row_end());
