@@ -7,37 +7,13 @@
 namespace hlsc {
 namespace {
 
-class AccessMerger {
+/// What must hold for a predicate to be 1: conditions with their polarity.
+using Literals = std::map<ValueId, bool>;
+
+/// What predicates say of each other.
+class Conditions {
  public:
-  explicit AccessMerger(Process& process) : process_(process) {}
-
-  void run() {
-    for (size_t block = 0; block < process_.blocks.size(); ++block)
-      while (merge_one(block)) {
-      }
-  }
-
- private:
-  /// What must hold for a predicate to be 1: conditions with their polarity.
-  using Literals = std::map<ValueId, bool>;
-
-  void collect(ValueId id, bool polarity, Literals& literals) const {
-    const Operation& op = process_[id];
-    bool is_conjunction = (polarity && op.kind == OpKind::kAnd) || (!polarity && op.kind == OpKind::kOr);
-    if (op.type_width == 1 && is_conjunction) {
-      for (ValueId operand : op.operands) collect(operand, polarity, literals);
-      return;
-    }
-    if (op.type_width == 1 && op.kind == OpKind::kXor && is_one(op.operands[1])) {
-      collect(op.operands[0], !polarity, literals);
-      return;
-    }
-    literals[id] = polarity;
-  }
-
-  bool is_one(ValueId id) const {
-    return process_[id].kind == OpKind::kConstant && process_[id].constant.isOne();
-  }
+  explicit Conditions(const Process& process) : process_(process) {}
 
   bool exclude(ValueId a, ValueId b) const {
     if (a == kNoValue || b == kNoValue) return false;
@@ -54,6 +30,37 @@ class AccessMerger {
     for (auto [id, holds] : both)
       if (is_ruled_out(chosen(id, all), holds, second)) return true;
     return false;
+  }
+
+  /// Whether x and y differ where the predicate holds.
+  bool tell_apart(ValueId predicate, ValueId x, ValueId y) const {
+    Literals literals;
+    collect(predicate, true, literals);
+    return std::any_of(literals.begin(), literals.end(), [&](const auto& literal) {
+      const Operation& op = process_[literal.first];
+      if (op.kind != OpKind::kCompare || !is_equality(op, !literal.second)) return false;
+      ValueId left = op.operands[0], right = op.operands[1];
+      return (left == x && right == y) || (left == y && right == x);
+    });
+  }
+
+ private:
+  void collect(ValueId id, bool polarity, Literals& literals) const {
+    const Operation& op = process_[id];
+    bool is_conjunction = (polarity && op.kind == OpKind::kAnd) || (!polarity && op.kind == OpKind::kOr);
+    if (op.type_width == 1 && is_conjunction) {
+      for (ValueId operand : op.operands) collect(operand, polarity, literals);
+      return;
+    }
+    if (op.type_width == 1 && op.kind == OpKind::kXor && is_one(op.operands[1])) {
+      collect(op.operands[0], !polarity, literals);
+      return;
+    }
+    literals[id] = polarity;
+  }
+
+  bool is_one(ValueId id) const {
+    return process_[id].kind == OpKind::kConstant && process_[id].constant.isOne();
   }
 
   bool is_ruled_out(ValueId id, bool holds, const Literals& known) const {
@@ -95,6 +102,20 @@ class AccessMerger {
     return op.compare == (holds ? CompareKind::kEq : CompareKind::kNe);
   }
 
+  const Process& process_;
+};
+
+class AccessMerger {
+ public:
+  explicit AccessMerger(Process& process) : process_(process) {}
+
+  void run() {
+    for (size_t block = 0; block < process_.blocks.size(); ++block)
+      while (merge_one(block)) {
+      }
+  }
+
+ private:
   bool is_mergeable(const Operation& op) const {
     if (op.is_stream_access()) return true;
     return op.kind == OpKind::kStore && process_.memories[op.object].kind != MemoryKind::kRegisters;
@@ -110,7 +131,7 @@ class AccessMerger {
       if (before != last.end() && is_mergeable(op) &&
           !(op.kind == OpKind::kRead && depends_on(block, op.predicate, before->second)) &&
           process_[before->second].kind == op.kind &&
-          exclude(process_[before->second].predicate, op.predicate)) {
+          Conditions(process_).exclude(process_[before->second].predicate, op.predicate)) {
         merge(block, before->second, id);
         return true;
       }
@@ -203,5 +224,19 @@ class AccessMerger {
 }  // namespace
 
 void merge_exclusive_accesses(Process& process) { AccessMerger(process).run(); }
+
+bool are_set_apart(const Process& process, const Operation& a, const Operation& b) {
+  const auto subscript = [&](const Operation& access) {
+    ValueId id = access.operands[0];
+    while (process[id].kind == OpKind::kZExt || process[id].kind == OpKind::kSExt)
+      id = process[id].operands[0];
+    return id;
+  };
+  const Conditions conditions(process);
+  const auto says_so = [&](ValueId predicate) {
+    return predicate != kNoValue && conditions.tell_apart(predicate, subscript(a), subscript(b));
+  };
+  return says_so(a.predicate) || says_so(b.predicate);
+}
 
 }  // namespace hlsc

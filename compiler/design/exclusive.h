@@ -1,4 +1,4 @@
-/// Accesses that never happen together share one port.
+/// Accesses that never happen together: they share one port, and need no order.
 #ifndef HLSC_DESIGN_EXCLUSIVE_H
 #define HLSC_DESIGN_EXCLUSIVE_H
 
@@ -10,6 +10,10 @@ namespace hlsc {
 /// predicates exclude each other, as the branches of an if do: the access happens when one of them does, with
 /// the data of that one.
 void merge_exclusive_accesses(Process& process);
+
+/// Whether two accesses to one memory in the same block touch different words of an iteration because a
+/// predicate of theirs says so: `if (a != b) { x[a] = ...; ... x[b] }`.
+bool are_set_apart(const Process& process, const Operation& a, const Operation& b);
 
 }  // namespace hlsc
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 
+#include "design/exclusive.h"
 #include "schedule/problem.h"
 
 namespace hlsc {
@@ -299,7 +300,7 @@ class BlockScheduler {
   }
 
   bool differ_in_iteration(const Operation& a, const Operation& b) const {
-    if (differ(a, b)) return true;
+    if (differ(a, b) || are_set_apart(process_, a, b)) return true;
     Affine x = affine(a.operands[0]), y = affine(b.operands[0]);
     return x.phi != kNoValue && x.is_parallel(y) && x.offset != y.offset;
   }
