@@ -1,4 +1,5 @@
 #include "design/process_builder.h"
+#include "middle/call_loop.h"
 #include "middle/source_location.h"
 
 namespace hlsc {
@@ -50,19 +51,34 @@ void ProcessBuilder::build_block(BasicBlock& block) {
   current_block_ = block_ids_[&block];
   process_.blocks[current_block_].name = names_.unique(block_name(block), "step");
   process_.blocks[current_block_].location = nearest_location(block.front());
-  if (current_block_ == 0) copy_inout_ports();
+  if (current_block_ == 0 && !is_call_loop(function_)) copy_inout_ports();
   read_loop(block);
-  for (Instruction& instruction : block)
+  for (Instruction& instruction : block) {
+    bool begins = process_.blocks[current_block_].takes_calls && &instruction == &*block.getFirstNonPHIIt();
+    if (begins) begin_call();
     if (!instruction.isTerminator()) build_instruction(instruction);
+  }
   bool ends_run = region_ && region_->is_loop && last_instance_call_->getParent() == &block;
   if (ends_run) write_run(*last_instance_call_);
-  if (auto* ret = dyn_cast<ReturnInst>(block.getTerminator()); ret && ret->getReturnValue()) {
-    Operation output;
-    output.kind = OpKind::kOutput;
-    output.operands = {returned_value(*ret)};
-    output.object = result_port_;
-    add(output, *ret, "result");
+  if (auto* ret = dyn_cast<ReturnInst>(block.getTerminator()); ret && ret->getReturnValue())
+    set_result(returned_value(*ret), *ret);
+}
+
+void ProcessBuilder::set_result(ValueId value, const Instruction& source) {
+  Operation output;
+  output.kind = OpKind::kOutput;
+  output.operands = {value};
+  output.object = result_port_;
+  add(output, source, "result");
+}
+
+void ProcessBuilder::begin_call() {
+  for (size_t id = 0; id < process_.operations.size(); ++id) {
+    if (process_[id].kind != OpKind::kInput) continue;
+    process_[id].block = current_block_;
+    process_.blocks[current_block_].operations.push_back(id);
   }
+  copy_inout_ports();
 }
 
 ValueId ProcessBuilder::returned_value(ReturnInst& ret) {
@@ -95,7 +111,8 @@ void ProcessBuilder::copy_inout_ports() {
     store.object = memory;
     store.operands = {constant_value(APInt(64, 0)), input};
     process_.memories[memory].is_written = true;
-    add(store, function_.getEntryBlock().front(), "copy");
+    ValueId made = add(store, function_.getEntryBlock().front(), "copy");
+    process_[made].location = process_.location;
   }
 }
 
@@ -105,6 +122,7 @@ void ProcessBuilder::read_loop(BasicBlock& block) {
   std::optional<Directive> directive = loop_directive(*loop, "PIPELINE");
   if (directive && directive->has("off")) return;
   process_.blocks[current_block_].is_loop = true;
+  process_.blocks[current_block_].takes_calls = is_call_loop(function_);
   if (directive) process_.blocks[current_block_].wanted_ii = directive->integer("ii", 1);
   const bool is_unrolled = loop_directive(*loop, "UNROLL").has_value();  // A step is several of the source's.
   for (const Directive& claim : loop_directives(*loop, "DEPENDENCE"))
@@ -132,6 +150,10 @@ SourceLoop ProcessBuilder::described(const Loop& loop) {
   DebugLoc start = loop.getStartLoc();
   made.location = start ? location_of(start) : process_.blocks[made.header].location;
   for (BasicBlock* block : loop.blocks()) made.blocks.push_back(block_ids_[block]);
+  if (is_call_loop(function_)) {
+    made.least_trips = made.most_trips = 1;  // Of a run, which is a call.
+    return made;
+  }
   std::optional<Directive> told = loop_directive(loop, "LOOP_TRIPCOUNT");
   made.least_trips = made.most_trips = evolution_.getSmallConstantTripCount(&loop);
   if (!made.most_trips && told) {

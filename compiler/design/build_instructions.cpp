@@ -130,6 +130,9 @@ ValueId ProcessBuilder::translated_call(CallInst& call) {
     case Primitive::kEmpty:
     case Primitive::kFull:
       return stream_status(call);
+    case Primitive::kResult:
+      set_result(value_of(call.getArgOperand(0)), call);
+      return kNoValue;
     default:
       break;
   }

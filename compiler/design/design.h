@@ -27,7 +27,7 @@ constexpr ValueId kNoValue = -1;
 
 enum class OpKind {
   kConstant,
-  kInput,  ///< A scalar port, stable while the process runs.
+  kInput,  ///< A scalar port, stable while the process runs; in a loop of calls taken when one begins.
   kPhi,
   kAdd,
   kSub,
@@ -178,6 +178,8 @@ struct Block {
   std::vector<int> predecessors;    ///< In the order of phi operands.
   Terminator terminator;
   bool is_loop = false;  ///< Pipelined: jumps to itself.
+  /// Of a loop: its iterations are the calls of the process, each of which begins when there is a start.
+  bool takes_calls = false;
   int wanted_ii = 0;     ///< 0: the least possible.
   std::set<int> claims;  ///< Numbers of the claims of arrays that stand in this loop.
   SourceLocation location;
@@ -205,6 +207,13 @@ struct Process {
   std::vector<Memory> memories;
   std::vector<Stream> streams;
   std::vector<ScalarPort> scalars;
+
+  /// The loop whose iterations are the calls; -1: calls follow each other, from the entry to a return.
+  int call_loop() const {
+    for (size_t i = 0; i < blocks.size(); ++i)
+      if (blocks[i].takes_calls) return i;
+    return -1;
+  }
 
   Operation& operator[](ValueId id) { return operations[id]; }
   const Operation& operator[](ValueId id) const { return operations[id]; }

@@ -35,8 +35,10 @@ void Interpreter::reset_memories() {
 void Interpreter::run(Surroundings& around) {
   around_ = &around;
   steps_ = 0;
-  int from = -1;
-  for (int block = 0; block >= 0;) {
+  int from = -1, block = 0;
+  if (has_run_ && process_.call_loop() >= 0) from = block = process_.call_loop();
+  has_run_ = true;
+  while (block >= 0) {
     int next = run_block(block, from, around);
     from = block;
     block = next;
@@ -47,6 +49,7 @@ int Interpreter::run_block(int block, int from, Surroundings& around) {
   const Block& b = process_.blocks[block];
   if (schedule_ && b.is_loop) {
     run_pipeline(block, from, around);
+    if (b.takes_calls) return -1;
     const std::vector<int>& targets = b.terminator.targets;
     return targets[0] == block ? targets[1] : targets[0];
   }
@@ -63,7 +66,7 @@ int Interpreter::run_block(int block, int from, Surroundings& around) {
     if (process_[id].kind != OpKind::kPhi) evaluate(id, around);
   }
   apply_stores(around);
-  return successor(block);
+  return b.takes_calls ? -1 : successor(block);
 }
 
 std::vector<ValueId> Interpreter::in_order(const Block& block) const {
@@ -98,13 +101,14 @@ int Interpreter::successor(int block) const {
 void Interpreter::run_pipeline(int block, int from, Surroundings& around) {
   const BlockSchedule& timing = schedule_->blocks[block];
   std::deque<Iteration> running;
-  int last = -1;  // The iteration that leaves, once it is known.
-  if (process_.blocks[block].terminator.kind == Terminator::kJump)
+  const bool is_call = process_.blocks[block].takes_calls;
+  int last = is_call ? 0 : -1;  // The iteration that leaves, once it is known.
+  if (!is_call && process_.blocks[block].terminator.kind == Terminator::kJump)
     throw std::runtime_error("the loop '" + process_.blocks[block].name + "' has no end");
   pipeline_ = block;
   for (int clock = 0; last < 0 || clock < last * timing.ii + timing.length; ++clock) {
     clock_ = clock;
-    if (clock % timing.ii == 0 && last < 0) {
+    if (clock % timing.ii == 0 && (last < 0 || clock == 0)) {
       Iteration next;
       next.index = clock / timing.ii;
       next.values = values_;
@@ -113,6 +117,7 @@ void Interpreter::run_pipeline(int block, int from, Surroundings& around) {
     }
     step(block, from, clock, last, running, around);
     apply_stores(around);
+    if (is_call) continue;
     ValueId condition = process_.blocks[block].terminator.condition;
     int known = process_[condition].block == block ? schedule_->ready[condition] : 0;
     for (Iteration& iteration : running) {
@@ -141,6 +146,7 @@ void Interpreter::step(int block, int from, int clock, int last, std::deque<Iter
       if (process_[id].kind != OpKind::kPhi) {
         evaluate(id, around);
       } else if (iteration.index == 0) {
+        iteration_ = nullptr;  // The values of the call before, too.
         iteration.values[id] = entering(id, from);
       } else {
         iteration_ = &running[i - 1];
@@ -163,7 +169,7 @@ APInt Interpreter::entering(ValueId phi, int from) const {
 APInt Interpreter::value(ValueId id) const {
   const Operation& op = process_[id];
   if (op.kind == OpKind::kConstant) return op.constant;
-  if (op.kind == OpKind::kInput)
+  if (op.kind == OpKind::kInput && op.block < 0)
     return resized(around_->scalars[op.object], op.type_width, process_.scalars[op.object].is_signed);
   if (iteration_ && op.block == pipeline_) {
     bool is_there = iteration_->known[id] &&
@@ -208,6 +214,8 @@ APInt Interpreter::result(const Operation& op, Surroundings& around) {
     return resized(operand(op, 0, from), op.type_width, is_signed);
   };
   switch (op.kind) {
+    case OpKind::kInput:
+      return resized(around.scalars[op.object], op.type_width, process_.scalars[op.object].is_signed);
     case OpKind::kSelect:
       return operand(op, holds(op.operands[0]) ? 1 : 2, op.type_width);
     case OpKind::kCompare:

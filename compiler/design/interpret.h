@@ -29,7 +29,8 @@ class Interpreter {
   /// Both must outlive the interpreter. `schedule` may be null: then every iteration ends before the next.
   Interpreter(const Process& process, const ProcessSchedule* schedule);
 
-  /// From start to done; statics keep their contents from run to run. Throws std::runtime_error when the
+  /// From start to done; statics keep their contents from run to run, and so do the values that a loop of
+  /// calls hands to the next. Throws std::runtime_error when the
   /// process reads a stream without a token, does not end, or acts before it may.
   void run(Surroundings& around);
 
@@ -81,6 +82,7 @@ class Interpreter {
   Iteration* iteration_ = nullptr;  ///< The one whose operations are computed, in a pipeline.
   int pipeline_ = -1, clock_ = 0;   ///< Its block; cycles since it began.
   long steps_ = 0;
+  bool has_run_ = false;
 };
 
 }  // namespace hlsc

@@ -78,6 +78,9 @@ class ProcessBuilder {
   [[noreturn]] void refuse(const llvm::Instruction& instruction, const std::string& sentence);
   void build_block(llvm::BasicBlock& block);
   ValueId returned_value(llvm::ReturnInst& ret);
+  void set_result(ValueId value, const llvm::Instruction& source);
+  /// In a loop of calls: takes the arguments.
+  void begin_call();
   static std::string block_name(const llvm::BasicBlock& block);
   void copy_inout_ports();
   void read_loop(llvm::BasicBlock& block);

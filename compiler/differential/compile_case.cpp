@@ -25,7 +25,7 @@ std::string bare_message(std::string text, const fs::path& kernel) {
   const std::string name = kernel.filename().string();
   for (std::size_t at; (at = text.find("/" + name)) != std::string::npos;) {
     const std::size_t path =
-        text.find_last_of(" \n", at) + 1;  // npos + 1 is 0: the text begins with the path.
+        text.find_last_of(" (\n", at) + 1;  // npos + 1 is 0: the text begins with the path.
     text.erase(path, at + 1 - path);
   }
   static const std::regex kForm("(?:[^:\n]*:(\\d+:(?:\\d+:)? ))?(?:fatal )?(?:error|warning): ([^\n]*)");

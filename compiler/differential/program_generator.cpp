@@ -20,7 +20,8 @@ class Generator : ExpressionGenerator {
     if (chance(45)) declare_packet();
     helpers();
     std::string body;
-    switch (below(4)) {
+    std::string header = "// top: fuzz_top\n// calls: 4\n";
+    switch (below(5)) {
       case 0:
         body = array_top();
         break;
@@ -30,11 +31,14 @@ class Generator : ExpressionGenerator {
       case 2:
         body = dataflow_top();
         break;
+      case 3:
+        body = calls_top();
+        header = "// top: fuzz_top\n// calls: 40\n// tokens: 1\n";
+        break;
       default:
         body = scalar_top();
         break;
     }
-    std::string header = "// top: fuzz_top\n// calls: 4\n";
     return header + "#include \"ap_fixed.h\"\n#include \"ap_int.h\"\n#include \"hls_stream.h\"\n\n" +
            struct_text_ + helper_text_ + body;
   }
@@ -295,9 +299,11 @@ class Generator : ExpressionGenerator {
     }
     return parameters;
   }
+  void overlap_calls() { line(fmt::format("#pragma HLS PIPELINE II={}", between(1, 3))); }
   std::string scalar_top() {
     Type result = port_type();
     std::string parameters = scalar_parameters(between(1, 4));
+    if (chance(30)) overlap_calls();
     prologue();
     for (int n = between(2, 6); n > 0; --n) statement(2);
     line(fmt::format("return {};", value(result, 3)));
@@ -318,6 +324,7 @@ class Generator : ExpressionGenerator {
     add("y", true);
     if (chance(40)) add("z", true);
     Type result = port_type();
+    if (chance(15)) overlap_calls();
     prologue();
     for (int n = between(2, 5); n > 0; --n) chance(50) ? loop(2) : statement(2);
     line(fmt::format("return {};", value(result, 2)));
@@ -369,6 +376,30 @@ class Generator : ExpressionGenerator {
     }
     return fmt::format("void fuzz_top({}, {}{}{}) {{\n{}}}\n", stream(in, "source"), stream(out, "sink"),
                        scalars.empty() ? "" : ", ", scalars, text_);
+  }
+
+  /// A top whose calls overlap: each takes a token, at times one of another stream, and may give some.
+  std::string calls_top() {
+    Token in = token(), more = token(), out = token();
+    bool has_more = chance(40);
+    if (chance(70)) line("#pragma HLS INTERFACE ap_ctrl_none port=return");
+    overlap_calls();
+    for (int n = between(1, 3); n > 0; --n) declare_static();
+    if (chance(50)) declare_array();
+    auto take = [&](const Token& token, const char* stream, const std::string& guard) {
+      std::string name = fresh("t");
+      line(fmt::format("{} {}{};", token.spelling(), name, guard.empty() ? "" : " = {}"));
+      line(fmt::format("{}{} = {}.read();", guard, name, stream));
+      token.is_struct ? put_members_in_scope({name, {}, 0}) : scope_.push_back({name, token.type, 0});
+    };
+    take(in, "source", "");
+    for (int n = between(1, 4); n > 0; --n) statement(1);
+    if (chance(30)) write_token("", "sink.write(", out, 1);
+    if (has_more) take(more, "extra", chance(60) ? fmt::format("if ({}) ", condition(2)) : "");
+    for (int n = between(0, 3); n > 0; --n) statement(1);
+    write_token(chance(40) ? fmt::format("if ({}) ", condition(2)) : "", "sink.write(", out, 2);
+    return fmt::format("void fuzz_top({}, {}{}) {{\n{}}}\n", stream(in, "source"),
+                       has_more ? stream(more, "extra") + ", " : "", stream(out, "sink"), text_);
   }
 
   /// Between two processes: a stream, or an array that one fills and the other reads.

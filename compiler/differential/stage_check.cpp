@@ -139,7 +139,9 @@ class StageRun {
 bool has_endless_loop(const Process& process) {
   for (size_t i = 0; i < process.blocks.size(); ++i) {
     const Terminator& terminator = process.blocks[i].terminator;
-    if (terminator.kind == Terminator::kJump && terminator.targets[0] <= static_cast<int>(i)) return true;
+    if (!process.blocks[i].takes_calls && terminator.kind == Terminator::kJump &&
+        terminator.targets[0] <= static_cast<int>(i))
+      return true;
   }
   return false;
 }

@@ -19,8 +19,11 @@ class VerilogBench {
   VerilogBench(const CompileResult& compiled, const Steering& steering, const RecordedSizes& sizes,
                std::uint64_t seed)
       : compiled_(compiled), ports_(compiled.interface), steering_(steering), sizes_(sizes), seed_(seed) {
-    bool has_outputs = std::any_of(ports_.scalars.begin(), ports_.scalars.end(),
-                                   [](const ScalarPort& port) { return port.is_output; });
+    const Process& first = compiled.processes[0].process;
+    tells_calls_ = first.name == compiled.top.name + "_core" && first.call_loop() >= 0;
+    bool has_outputs = std::any_of(ports_.scalars.begin(), ports_.scalars.end(), [&](const ScalarPort& port) {
+      return port.is_output && !(port.is_result && tells_calls_);
+    });
     runs_overlap_ = !ports_.has_start || (seed % 2 == 1 && ports_.memories.empty() && !has_outputs);
   }
 
@@ -56,7 +59,9 @@ class VerilogBench {
     declare("integer finished = 0;  // calls that are done");
     declare(
         "integer run = 0, longest = 0;  // cycles of the run from its start on, and of the longest so far");
-    declare("reg start = 0, moved;");
+    declare("reg moved;");
+    declare(fmt::format("reg start = {0}, more = {0};  // more: calls are to be started",
+                        !ports_.has_start && tells_calls_ ? 1 : 0));
     declare("reg proceed = 1;");
     declare("wire done, ready;");
     connect(ports_.clock, "clk");
@@ -67,8 +72,8 @@ class VerilogBench {
       connect("ap_ready", "ready");
       connect("ap_idle", "");
     } else {
-      declare("assign done = 1'b0;");
-      declare("assign ready = 1'b0;");
+      declare(tells_calls_ ? "assign done = dut.core.ap_done;" : "assign done = 1'b0;");
+      declare(tells_calls_ ? "assign ready = dut.core.ap_ready;" : "assign ready = 1'b0;");
     }
     if (ports_.has_continue) connect("ap_continue", "proceed");
     clocked_ += fmt::format(
@@ -78,7 +83,7 @@ class VerilogBench {
         "        if (idle > {}) fail_at(\"nothing moves\");\n"
         "{}"
         "        if (done & proceed) finished <= finished + 1;\n"
-        "        run <= done | ~start ? 0 : run + 1;\n"
+        "        run <= done | ~start & run == 0 ? 0 : run + 1;\n"
         "        if (done && run > longest) longest <= run;\n"
         "{}"
         "    end\n\n",
@@ -102,11 +107,14 @@ class VerilogBench {
   std::string restart() const {
     if (!runs_overlap_) return "        if (ready & start) start <= 0;\n";
     return fmt::format(
-        "        if (ready & start) begin\n"
-        "            if (call == {}) start <= 0;\n"
-        "            else call <= call + 1;\n"
+        "        if (ready & start & call == {}) begin\n"
+        "            start <= 0;\n"
+        "            more <= 0;\n"
+        "        end else begin\n"
+        "            if (ready & start) call <= call + 1;\n"
+        "            if ((ready | ~start) & more) start <= {};\n"
         "        end\n",
-        last_call());
+        last_call(), ports_.has_start ? "($random(seed) & 7) != 0" : "1");
   }
 
   void load(const std::string& memory) {
@@ -131,6 +139,14 @@ class VerilogBench {
     declare(fmt::format("reg {} {};", range(port.width), last));
     connect(port.name, wire);
     std::string taken = "done";
+    if (port.is_result && runs_overlap_ && tells_calls_) {
+      clocked_ += fmt::format(
+          "    always @(posedge clk) if (done & proceed && finished < {0} && ({1} & {2}'h{3}) !== "
+          "({4}[finished] "
+          "& {2}'h{3}))\n        fail_words(\"{5}\", {1}, {4}[finished]);\n",
+          steering_.calls, wire, port.width, value_mask(compiled_, port), recorded, port.name);
+      return;
+    }
     if (port.has_valid()) {
       taken = wire + "_valid";
       declare(fmt::format("wire {};", taken));
@@ -290,7 +306,7 @@ class VerilogBench {
   }
 
   std::string overlapping_calls() const {
-    std::string start = ports_.has_start ? "        start <= 1;\n" : "";
+    std::string start = ports_.has_start ? "        more <= 1;\n" : "";
     std::string done = ports_.has_start ? fmt::format("finished < {}", steering_.calls) : "0";
     return fmt::format("        available <= {};\n{}        while ({}{}) @(posedge clk);\n", last_call(),
                        start, done, waiting(std::to_string(last_call())));
@@ -313,6 +329,7 @@ class VerilogBench {
   const RecordedSizes& sizes_;
   std::uint64_t seed_;
   bool runs_overlap_ = false;
+  bool tells_calls_ = false;  ///< The calls of the only process overlap, and it tells of each.
   std::string declarations_, connections_, clocked_, loads_, prepare_, check_, moves_, waits_;
 };
 

@@ -281,29 +281,30 @@ void separate_subscripts(const Program& program, const DirectiveTable& directive
         SubscriptSeparator(&argument, type, module.getDataLayout()).run();
 }
 
-void dissolve_constant_subscripts(Module& module) {
-  for (Value* object : objects_of(module)) {
-    if (!isa<AllocaInst>(object)) continue;
-    std::vector<CallInst*> calls;
-    bool constant = true;
-    for (User* user : object->users()) {
-      if (!is_element_address(user)) continue;
-      calls.push_back(cast<CallInst>(user));
-      for (unsigned i = 2; i < calls.back()->arg_size(); ++i)
-        constant &= isa<ConstantInt>(calls.back()->getArgOperand(i));
-    }
-    if (!constant) continue;
-    std::vector<MemoryLeaf> leaves = memory_leaves(module.getDataLayout(), object_type(object));
-    for (CallInst* call : calls) {
-      uint64_t offset = cast<ConstantInt>(call->getArgOperand(1))->getZExtValue();
-      auto leaf = find_if(leaves, [&](const MemoryLeaf& one) { return one.byte_offset == offset; });
-      for (unsigned d = 0; d + 2 < call->arg_size(); ++d)
-        offset += leaf->strides[d] * cast<ConstantInt>(call->getArgOperand(d + 2))->getSExtValue();
-      IRBuilder<> builder(call);
-      call->replaceAllUsesWith(builder.CreateConstInBoundsGEP1_64(builder.getInt8Ty(), object, offset));
-      call->eraseFromParent();
-    }
+void dissolve_constant_subscripts(Value& object) {
+  std::vector<CallInst*> calls;
+  for (User* user : object.users()) {
+    if (!is_element_address(user)) continue;
+    calls.push_back(cast<CallInst>(user));
+    for (unsigned i = 2; i < calls.back()->arg_size(); ++i)
+      if (!isa<ConstantInt>(calls.back()->getArgOperand(i))) return;
   }
+  if (calls.empty()) return;
+  std::vector<MemoryLeaf> leaves = memory_leaves(calls[0]->getDataLayout(), object_type(&object));
+  for (CallInst* call : calls) {
+    uint64_t offset = cast<ConstantInt>(call->getArgOperand(1))->getZExtValue();
+    auto leaf = find_if(leaves, [&](const MemoryLeaf& one) { return one.byte_offset == offset; });
+    for (unsigned d = 0; d + 2 < call->arg_size(); ++d)
+      offset += leaf->strides[d] * cast<ConstantInt>(call->getArgOperand(d + 2))->getSExtValue();
+    IRBuilder<> builder(call);
+    call->replaceAllUsesWith(builder.CreateConstInBoundsGEP1_64(builder.getInt8Ty(), &object, offset));
+    call->eraseFromParent();
+  }
+}
+
+void dissolve_constant_subscripts(Module& module) {
+  for (Value* object : objects_of(module))
+    if (isa<AllocaInst>(object)) dissolve_constant_subscripts(*object);
 }
 
 }  // namespace hlsc

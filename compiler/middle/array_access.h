@@ -39,8 +39,11 @@ std::vector<MemoryLeaf> memory_leaves(const llvm::DataLayout& layout, llvm::Type
 /// warning.
 void separate_subscripts(const Program& program, const DirectiveTable& directives, Diagnostics& diagnostics);
 
-/// Turns `hls.element` back into plain addresses for objects whose subscripts all became constants, so that
-/// they dissolve into registers.
+/// Turns `hls.element` back into plain addresses where all subscripts of the object became constants, so that
+/// it dissolves into registers.
+void dissolve_constant_subscripts(llvm::Value& object);
+
+/// The same for all local objects.
 void dissolve_constant_subscripts(llvm::Module& module);
 
 /// True for calls made by separate_subscripts.

@@ -33,6 +33,7 @@
 
 #include "middle/array_access.h"
 #include "middle/array_initialisers.h"
+#include "middle/call_loop.h"
 #include "middle/dataflow_regions.h"
 #include "middle/flatten.h"
 #include "middle/host_calls.h"
@@ -177,6 +178,20 @@ class Optimizer {
     late.addPass(LoopSimplifyPass());
     late.addPass(LCSSAPass());
     run(std::move(late));
+  }
+
+  /// What became values of one call for the next. Nothing may leave the loop, in which arguments change.
+  void simplify_call_loops() {
+    FunctionPassManager passes;
+    passes.addPass(EarlyCSEPass());
+    passes.addPass(SimplifyCFGPass(cfg_options()));
+    passes.addPass(InstCombinePass());
+    passes.addPass(LoopSimplifyPass());
+    passes.addPass(LCSSAPass());
+    function_analyses_.clear();
+    for (Function& function : module_)
+      if (is_call_loop(function)) passes.run(function, function_analyses_);
+    function_analyses_.clear();
   }
 
   /// After if-conversion: merge predicates and drop what became equal. Must not touch the control flow.
@@ -384,6 +399,10 @@ void check_unrolled(Function& function, Diagnostics& diagnostics) {
   }
 }
 
+bool returns(const Function& function) {
+  return any_of(function, [](const BasicBlock& block) { return isa<ReturnInst>(block.getTerminator()); });
+}
+
 /// LATENCY is checked where the schedule is: of processes.
 void warn_of_inlined_latency(const Module& module, const std::vector<std::string>& processes,
                              Diagnostics& diagnostics) {
@@ -394,6 +413,22 @@ void warn_of_inlined_latency(const Module& module, const std::vector<std::string
       continue;
     diagnostics.warn({place->getFilename().str(), place->getLine(), 0},
                      "pragma 'LATENCY' has no effect in a function that is inlined");
+  }
+}
+
+/// Calls of the processes that ask for PIPELINE overlap where they can.
+void overlap_calls(const Program& program, const std::vector<std::string>& processes,
+                   Diagnostics& diagnostics) {
+  for (const std::string& name : processes) {
+    Function& function = *program.module->getFunction(name);
+    std::optional<Directive> pipeline = function_directive(function, "PIPELINE");
+    auto info = program.functions.find(name);
+    bool asks = pipeline && !pipeline->has("off") && !function_directive(function, "DATAFLOW");
+    if (!asks || info == program.functions.end() || !returns(function)) continue;
+    std::string reason = make_call_loop(info->second, function, processes.size() > 1);
+    if (!reason.empty())
+      diagnostics.warn(info->second.location,
+                       "calls of '" + info->second.name + "' do not overlap as PIPELINE asks: " + reason);
   }
 }
 
@@ -522,11 +557,13 @@ MiddleResult run_middle(Program& program, const LoopChoice& keeps_apart, bool in
   for (Function& function : module) split_wide_accesses(function);
   separate_subscripts(program, result.directives, diagnostics);
   optimizer.optimize();
+  for (const std::string& name : result.processes) check_unrolled(*module.getFunction(name), diagnostics);
+  overlap_calls(program, result.processes, diagnostics);
+  optimizer.simplify_call_loops();
   for (Function& function : module) {
     resolve_pointer_choices(function);
     accesses_to_primitives(function);
   }
-  for (const std::string& name : result.processes) check_unrolled(*module.getFunction(name), diagnostics);
   for (const std::string& name : result.processes)
     for (const SourceLocation& place : flatten_loops(*module.getFunction(name), keeps_apart, diagnostics))
       result.flattened.push_back(place);

@@ -44,6 +44,7 @@ Primitive primitive_of(const CallInst& call) {
   if (name.starts_with("full")) return Primitive::kFull;
   if (name.starts_with("load.")) return Primitive::kLoad;
   if (name.starts_with("store.")) return Primitive::kStore;
+  if (name.starts_with("result.")) return Primitive::kResult;
   return Primitive::kNone;
 }
 
@@ -69,6 +70,22 @@ CallInst* create_load(IRBuilder<>& builder, Value* pointer, Type* type, Value* p
 CallInst* create_store(IRBuilder<>& builder, Value* pointer, Value* data, Value* predicate) {
   return call_primitive(builder, typed("hls.store", data->getType()), builder.getVoidTy(),
                         {pointer, data, predicate}, MemoryEffects::argMemOnly(ModRefInfo::ModRef));
+}
+
+void create_result(IRBuilder<>& builder, Value& value) {
+  Value* all = &value;
+  if (auto* structure = dyn_cast<StructType>(value.getType())) {
+    unsigned width = 0;
+    for (Type* part : structure->elements()) width += part->getIntegerBitWidth();
+    all = builder.getIntN(width, 0);
+    for (unsigned i = structure->getNumElements(); i-- > 0;) {
+      Value* part = builder.CreateExtractValue(&value, i);
+      all = builder.CreateShl(all, part->getType()->getIntegerBitWidth());
+      all = builder.CreateOr(all, builder.CreateZExt(part, all->getType()));
+    }
+  }
+  call_primitive(builder, typed("hls.result", all->getType()), builder.getVoidTy(), {all, builder.getTrue()},
+                 stream_effects());
 }
 
 Value* accessed_pointer(Instruction& instruction) {

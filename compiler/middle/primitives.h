@@ -9,12 +9,13 @@ namespace hlsc {
 
 enum class Primitive {
   kNone,
-  kRead,   ///< iW hls.read.iW(ptr stream, i1)
-  kWrite,  ///< void hls.write.iW(ptr stream, iW, i1)
-  kEmpty,  ///< i1 hls.empty(ptr stream, i1)
-  kFull,   ///< i1 hls.full(ptr stream, i1)
-  kLoad,   ///< iW hls.load.iW(ptr, i1)
-  kStore,  ///< void hls.store.iW(ptr, iW, i1)
+  kRead,    ///< iW hls.read.iW(ptr stream, i1)
+  kWrite,   ///< void hls.write.iW(ptr stream, iW, i1)
+  kEmpty,   ///< i1 hls.empty(ptr stream, i1)
+  kFull,    ///< i1 hls.full(ptr stream, i1)
+  kLoad,    ///< iW hls.load.iW(ptr, i1)
+  kStore,   ///< void hls.store.iW(ptr, iW, i1)
+  kResult,  ///< void hls.result.iW(iW, i1): what the function returns, where it goes on with its next call
 };
 
 Primitive primitive_of(const llvm::CallInst& call);
@@ -29,6 +30,8 @@ llvm::CallInst* create_load(llvm::IRBuilder<>& builder, llvm::Value* pointer, ll
                             llvm::Value* predicate);
 llvm::CallInst* create_store(llvm::IRBuilder<>& builder, llvm::Value* pointer, llvm::Value* data,
                              llvm::Value* predicate);
+/// Of an integer, or a struct of integers, which stand in the result from the lowest bits on.
+void create_result(llvm::IRBuilder<>& builder, llvm::Value& value);
 
 /// The pointer that a load or store, plain or predicated, goes through; null for other instructions.
 llvm::Value* accessed_pointer(llvm::Instruction& instruction);

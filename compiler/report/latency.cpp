@@ -51,7 +51,7 @@ LatencyModel::LatencyModel(const Process& process, const ProcessSchedule& schedu
 
 Latency LatencyModel::process() {
   Latency way = longest(0, -1);
-  way.cycles += 1;  // The state in which it waits for its start.
+  if (process_.call_loop() < 0) way.cycles += 1;  // The state in which it waits for its start.
   return way;
 }
 
@@ -61,7 +61,9 @@ Latency LatencyModel::loop(int index) {
   const Block& header = process_.blocks[loop.header];
   bool is_exact = loop.most_trips && loop.least_trips == loop.most_trips;
   Latency total;
-  if (header.is_loop) {
+  if (header.takes_calls) {
+    total.cycles = timing.length;
+  } else if (header.is_loop) {
     if (header.terminator.kind == Terminator::kJump) {
       total.is_endless = true;
       return total;

@@ -99,7 +99,7 @@ class Estimate {
     std::set<ValueId> held;
     const std::map<ValueId, ValueId> shared = shared_phis(process_);
     auto use = [&](ValueId value, int block, int cycle) {
-      if (value == kNoValue || is_constant(value) || process_[value].kind == OpKind::kInput) return;
+      if (value == kNoValue || is_constant(value) || process_[value].block < 0) return;
       if (process_[value].block == block)
         last[value] = std::max(last[value], cycle);
       else

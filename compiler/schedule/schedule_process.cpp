@@ -70,6 +70,7 @@ class BlockScheduler {
     add_memory_dependences();
     add_stream_dependences();
     add_status_dependences();
+    add_output_dependences();
     add_exit_dependences();
     problem_.limits = resources_.limits();
   }
@@ -129,10 +130,10 @@ class BlockScheduler {
         node.tail = options_.target.enable;
       if (op.is_stream_access()) node.tail = options_.target.stall;
       if (id == block_.terminator.condition && !block_.is_loop) node.tail = options_.target.enable;
-      node.bits = op.has_result() && op.kind != OpKind::kConstant && op.kind != OpKind::kInput ? op.bits : 0;
+      node.bits = op.has_result() && op.kind != OpKind::kConstant ? op.bits : 0;
       node.is_register = op.kind == OpKind::kPhi;
       node.is_fixed = op.has_effect() || op.kind == OpKind::kEmpty || op.kind == OpKind::kFull ||
-                      id == block_.terminator.condition;
+                      op.kind == OpKind::kInput || id == block_.terminator.condition;
       problem_.operations.push_back(node);
     }
     problem_.period = options_.period * (1 - options_.margin);
@@ -333,6 +334,8 @@ class BlockScheduler {
   }
 
   void add_stream_dependences() {
+    // A call ends for itself, while the iterations of a loop written in the source may wait for each other.
+    const bool in_sequence = !block_.is_loop || block_.takes_calls;
     int last_write = -1, last_access = -1;
     std::map<int, std::pair<int, int>> ends;  // stream -> first and last access
     for (size_t i = 0; i < block_.operations.size(); ++i) {
@@ -343,9 +346,9 @@ class BlockScheduler {
         order(place->second.second, i, 0, 1);
         place->second.second = i;
       }
-      if (!block_.is_loop && last_access >= 0) order(last_access, i, 0, 0);
+      if (in_sequence && last_access >= 0) order(last_access, i, 0, 0);
       // A partner may answer the write with what is read next.
-      if (!block_.is_loop && op.kind == OpKind::kRead && last_write >= 0) order(last_write, i, 0, 1);
+      if (in_sequence && op.kind == OpKind::kRead && last_write >= 0) order(last_write, i, 0, 1);
       if (op.kind == OpKind::kWrite) last_write = i;
       last_access = i;
     }
@@ -362,6 +365,20 @@ class BlockScheduler {
         const Operation& access = process_[block_.operations[k]];
         if (!access.is_stream_access() || access.object != status.object) continue;
         i < k ? order(i, k, 0, 0) : order(k, i, 0, 1);
+        if (block_.is_loop) order(k, i, 1, 1);
+      }
+    }
+  }
+
+  /// What a scalar port is set to last stays.
+  void add_output_dependences() {
+    for (size_t i = 0; i < block_.operations.size(); ++i) {
+      const Operation& first = process_[block_.operations[i]];
+      if (first.kind != OpKind::kOutput) continue;
+      for (size_t k = i; k < block_.operations.size(); ++k) {
+        const Operation& second = process_[block_.operations[k]];
+        if (second.kind != OpKind::kOutput || second.object != first.object) continue;
+        if (i < k) order(i, k, 0, 0);
         if (block_.is_loop) order(k, i, 1, 1);
       }
     }
@@ -390,8 +407,9 @@ class BlockScheduler {
     const Operation &from = process_[block_.operations[dependence.from]],
                     &to = process_[block_.operations[dependence.to]];
     return "'" + from.name + "' (" + from.location.text() + ") must be ready for '" + to.name + "' (" +
-           to.location.text() + ") of " + std::to_string(dependence.distance) + " iteration" +
-           (dependence.distance == 1 ? "" : "s") + " later; shorten the path between them";
+           to.location.text() + ") of " + std::to_string(dependence.distance) +
+           (block_.takes_calls ? " call" : " iteration") + (dependence.distance == 1 ? "" : "s") +
+           " later; shorten the path between them";
   }
 
   void record(const Schedule& schedule, ProcessSchedule& result, BlockSchedule& summary) {

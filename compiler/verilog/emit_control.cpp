@@ -27,7 +27,7 @@ void ProcessEmitter::name_states() {
       state_names_[block].push_back(names_.unique(count == 1 ? stem : stem + "_" + std::to_string(cycle)));
     states_.insert(states_.end(), state_names_[block].begin(), state_names_[block].end());
   }
-  states_.push_back("S_DONE");
+  if (process_.call_loop() < 0) states_.push_back("S_DONE");
 }
 
 const std::string& ProcessEmitter::state_name(int block, int cycle) const {
@@ -47,7 +47,7 @@ std::string ProcessEmitter::active(Place at) const {
 
 std::string ProcessEmitter::enable(Place at) const {
   if (!is_loop(at.block)) return "~stall";
-  return block_of(at.block).name + (at.cycle <= split_stage(at.block) ? "_front_ce" : "_ce");
+  return group_enable(at.block, group_of(at));
 }
 
 std::string ProcessEmitter::happens(Place at) { return active(at) + " & " + enable(at); }
@@ -57,12 +57,61 @@ std::string ProcessEmitter::happens(const Operation& op, Place at) {
   return op.predicate == kNoValue ? condition : condition + " & " + bit(op.predicate, at);
 }
 
-int ProcessEmitter::split_stage(int block) const {
-  if (timing(block).ii != 1) return -1;
+std::vector<int> ProcessEmitter::find_splits(int block) const {
+  if (!is_loop(block)) return {};
+  if (block_of(block).takes_calls) return splits_of_calls(block);
   int last = -1;
   for (ValueId id : block_of(block).operations)
     if (process_[id].kind == OpKind::kRead) last = std::max(last, schedule_.start[id]);
-  return last < timing(block).length - 1 ? last : -1;
+  bool goes_on = timing(block).ii == 1 && last >= 0 && last < timing(block).length - 1;
+  return goes_on ? std::vector<int>{last} : std::vector<int>{};
+}
+
+std::vector<int> ProcessEmitter::splits_of_calls(int block) const {
+  std::set<int> stages = {0};  // Where a call waits for its start.
+  for (ValueId id : block_of(block).operations)
+    if (process_[id].is_stream_access()) stages.insert(schedule_.start[id]);
+  std::erase_if(stages, [&](int stage) {
+    return stage == timing(block).length - 1 || (timing(block).ii > 1 && !keeps_words(block, stage));
+  });
+  return {stages.begin(), stages.end()};
+}
+
+bool ProcessEmitter::keeps_words(int block, int stage) const {
+  const std::vector<ValueId>& operations = block_of(block).operations;
+  auto shares_port = [&](ValueId load, ValueId other) {
+    const Operation &a = process_[load], &b = process_[other];
+    return b.is_memory_access() && a.object == b.object && schedule_.port[load] == schedule_.port[other];
+  };
+  return std::none_of(operations.begin(), operations.end(), [&](ValueId load) {
+    bool is_there = process_[load].kind == OpKind::kLoad && schedule_.ready[load] > schedule_.start[load] &&
+                    schedule_.start[load] < stage;
+    return is_there && std::any_of(operations.begin(), operations.end(), [&](ValueId other) {
+             return shares_port(load, other) && schedule_.start[other] > stage;
+           });
+  });
+}
+
+size_t ProcessEmitter::group_of(Place at) const {
+  const std::vector<int>& last = splits(at.block);
+  return std::lower_bound(last.begin(), last.end(), at.cycle) - last.begin();
+}
+
+std::string ProcessEmitter::group_enable(int block, size_t group) const {
+  const std::string& name = block_of(block).name;
+  const std::vector<int>& last = splits(block);
+  if (group == last.size()) return name + "_ce";
+  return block_of(block).takes_calls ? name + "_ce_" + std::to_string(last[group]) : name + "_front_ce";
+}
+
+std::string ProcessEmitter::group_slip(int block, size_t group) const {
+  return block_of(block).name + "_slip_" + std::to_string(splits(block)[group]);
+}
+
+std::string ProcessEmitter::works_behind(int block, size_t group) const {
+  int first = splits(block)[group] + 1, last = timing(block).length - 2;
+  if (timing(block).ii == 1 || last < first) return "";
+  return "(|" + block_of(block).name + "_active[" + std::to_string(last) + ":" + std::to_string(first) + "])";
 }
 
 void ProcessEmitter::emit_block(int block) {
@@ -164,6 +213,7 @@ void ProcessEmitter::emit_loop_control(int block) {
     wires_ << "    wire " << loop.name << "_leave = " << happens({block, exit.cycle}) << " & "
            << leaves(block, exit.cycle) << ";\n";
   if (has_stages(block)) emit_pipeline(block, exit);
+  if (loop.takes_calls) emit_slips(block);
   // The iteration that leaves is the last one; when it ends, the pipeline is empty.
   int last = timing(block).length - 1;
   if (exit.condition == kNoValue) {
@@ -214,36 +264,47 @@ std::string ProcessEmitter::issue_of(int block, const LoopExit& exit) {
          (exit.is_known_at_issue ? " & " + stays(block, last) : " & ~" + block_of(block).name + "_leave");
 }
 
-/// Stages up to the split stop when any access there is blocked; those behind go on with bubbles.
+/// The stages of a group stop when any access there is blocked; those behind go on with bubbles.
 void ProcessEmitter::emit_pipeline(int block, const LoopExit& exit) {
   const std::string& name = block_of(block).name;
-  int length = timing(block).length, split = split_stage(block);
-  std::string kill = name + "_leave", indent = "            ";
+  const std::vector<int>& last = splits(block);
+  const std::string kill = name + "_leave", indent = "            ";
   auto stage = [&](int cycle) { return active({block, cycle}); };
-  auto steps = [&](int from, int to) {
-    std::string out;
-    for (int cycle = from; cycle < to; ++cycle) {
-      out += indent + stage(cycle) + " <= " + stage(cycle - 1);
-      if (cycle - 1 == split) out += " & " + name + "_front_ce";
-      if (!exit.is_known_at_issue && cycle - 1 < exit.cycle) out += " & ~" + kill;
-      out += ";\n";
+  int cycle = 0;
+  for (size_t group = 0; group <= last.size(); ++group) {
+    const int end = group < last.size() ? last[group] + 1 : timing(block).length;
+    control_ << (group ? "\n" : "") << "        if (" << group_enable(block, group) << ") begin\n";
+    if (group == 0) control_ << indent << stage(cycle++) << " <= " << issue_of(block, exit) << ";\n";
+    for (; cycle < end; ++cycle) {
+      control_ << indent << stage(cycle) << " <= " << stage(cycle - 1);
+      if (group_of({block, cycle - 1}) != group) control_ << " & " << enable({block, cycle - 1});
+      if (!exit.is_known_at_issue && cycle - 1 < exit.cycle) control_ << " & ~" << kill;
+      control_ << ";\n";
     }
-    return out;
-  };
-  std::string first = indent + stage(0) + " <= " + issue_of(block, exit) + ";\n";
-  if (split < 0) {
-    control_ << "        if (" << name << "_ce) begin\n" << first << steps(1, length) << "        end\n";
-    return;
-  }
-  control_ << "        if (" << name << "_front_ce) begin\n" << first << steps(1, split + 1) << "        end";
-  if (!exit.is_known_at_issue)
+    control_ << "        end";
+    if (group == last.size() || exit.is_known_at_issue) continue;
     control_ << " else if (" << kill << ") begin\n"
              << indent
-             << (split ? name + "_active[" + std::to_string(split) + ":0] <= " + std::to_string(split + 1) +
-                             "'d0"
-                       : stage(0) + " <= 1'b0")
+             << (end > 1
+                     ? name + "_active[" + std::to_string(end - 1) + ":0] <= " + std::to_string(end) + "'d0"
+                     : stage(0) + " <= 1'b0")
              << ";\n        end";
-  control_ << "\n        if (" << name << "_ce) begin\n" << steps(split + 1, length) << "        end\n";
+  }
+  control_ << "\n";
+}
+
+void ProcessEmitter::emit_slips(int block) {
+  const int ii = timing(block).ii;
+  const std::string bits = std::to_string(address_bits(ii)) + "'d", none = bits + "0";
+  for (size_t group = 0; group < splits(block).size(); ++group) {
+    const std::string behind = works_behind(block, group), slip = group_slip(block, group);
+    if (behind.empty()) continue;
+    registers_ << "    reg " << range_text_spaced(address_bits(ii)) << slip << ";\n";
+    control_ << "        if (" << group_enable(block, group + 1) << ") " << slip
+             << " <= " << group_enable(block, group) << " | ~" << behind << " | (" << slip << " == " << bits
+             << ii - 1 << ") ? " << none << " : " << slip << " + " << bits << "1;\n";
+    resets_ << "            " << slip << " <= " << none << ";\n";
+  }
 }
 
 std::string ProcessEmitter::transition_of_loop(int block, int cycle, const std::string& when) {

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "verilog/process_emitter.h"
 #include "verilog/text.h"
 
@@ -36,8 +38,18 @@ std::vector<ValueId> ProcessEmitter::of_kind(const std::vector<ValueId>& accesse
   return users;
 }
 
-ProcessEmitter::PortSignals ProcessEmitter::port_of(const Memory& memory, const std::vector<ValueId>& users) {
+std::vector<ValueId> ProcessEmitter::in_order_of_choice(std::vector<ValueId> accesses) const {
+  auto is_older = [&](ValueId a, ValueId b) {
+    return std::pair(-schedule_.start[a], a) < std::pair(-schedule_.start[b], b);
+  };
+  if (process_.call_loop() >= 0) std::sort(accesses.begin(), accesses.end(), is_older);
+  return accesses;
+}
+
+ProcessEmitter::PortSignals ProcessEmitter::port_of(const Memory& memory,
+                                                    const std::vector<ValueId>& accesses) {
   PortSignals port;
+  const std::vector<ValueId> users = in_order_of_choice(accesses);
   for (size_t i = 0; i < users.size(); ++i) {
     const Operation& op = process_[users[i]];
     bool is_load = op.kind == OpKind::kLoad, is_last = i + 1 == users.size();

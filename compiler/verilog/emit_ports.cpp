@@ -7,29 +7,40 @@ void ProcessEmitter::emit_streams() {
   Stalls stalls;
   for (size_t index = 0; index < process_.streams.size(); ++index) emit_stream(index, stalls);
   stalls_ << "    assign stall = " << (stalls.plain.empty() ? "1'b0" : stalls.plain) << ";\n";
-  for (size_t block = 0; block < process_.blocks.size(); ++block) {
-    if (!is_loop(block)) continue;
-    const std::string &name = block_of(block).name, &back = stalls.back[block];
-    stalls_ << "    assign " << name << "_ce = " << (back.empty() ? "1'b1" : "~(" + back + ")") << ";\n";
-    if (split_stage(block) >= 0)
-      stalls_ << "    assign " << name << "_front_ce = " << name << "_ce & ~(" << stalls.front[block]
-              << ");\n";
+  for (size_t block = 0; block < process_.blocks.size(); ++block)
+    if (is_loop(block)) emit_enables(block, stalls.groups[block]);
+}
+
+/// A group stops when an access in it is blocked, and when those behind stop.
+void ProcessEmitter::emit_enables(int block, std::map<size_t, std::string>& blocked) {
+  auto add = [&](size_t group, const std::string& condition) {
+    blocked[group] += (blocked[group].empty() ? "" : " | ") + ("(" + condition + ")");
+  };
+  const size_t last = splits(block).size();
+  if (block_of(block).takes_calls) {
+    add(0, active({block, 0}) + " & ~ap_start");
+    add(last, active({block, timing(block).length - 1}) + " & " + kCallDone + " & ~ap_continue");
+    for (size_t group = 0; group < last; ++group)
+      if (!works_behind(block, group).empty()) add(group, "|" + group_slip(block, group));
   }
+  stalls_ << "    assign " << group_enable(block, last) << " = "
+          << (blocked[last].empty() ? "1'b1" : "~(" + blocked[last] + ")") << ";\n";
+  for (size_t group = last; group-- > 0;)
+    stalls_ << "    assign " << group_enable(block, group) << " = " << group_enable(block, group + 1)
+            << " & ~(" << blocked[group] << ");\n";
 }
 
 void ProcessEmitter::emit_stream(int index, Stalls& stalls) {
   const Stream& stream = process_.streams[index];
   std::string strobe, data;
-  const std::vector<ValueId>& users = stream_accesses_[index];
+  const std::vector<ValueId> users = in_order_of_choice(stream_accesses_[index]);
   for (size_t i = 0; i < users.size(); ++i) {
     const Operation& op = process_[users[i]];
     Place at{op.block, schedule_.start[users[i]]};
     std::string wish = active(at) + (op.predicate == kNoValue ? "" : " & " + bit(op.predicate, at));
     std::string blocked = wish + " & ~" + stream.name + (stream.is_input ? "_empty_n" : "_full_n");
     blocked_[users[i]] = blocked;
-    std::string& sum = !is_loop(op.block)                  ? stalls.plain
-                       : at.cycle <= split_stage(op.block) ? stalls.front[op.block]
-                                                           : stalls.back[op.block];
+    std::string& sum = is_loop(op.block) ? stalls.groups[op.block][group_of(at)] : stalls.plain;
     sum += (sum.empty() ? "" : " | ") + ("(" + blocked + ")");
     strobe += (i ? " | " : "") + ("(" + happens(op, at) + ")");
     if (stream.is_input) continue;
@@ -70,6 +81,8 @@ void ProcessEmitter::emit_outputs() {
     for (ValueId id : outputs_[index]) {
       const Operation& op = process_[id];
       Place at{op.block, schedule_.start[id]};
+      // The result of a call stays until it is done.
+      if (port.is_result && block_of(op.block).takes_calls) at.cycle = timing(op.block).length - 1;
       data_ << "        if (" << happens(op, at) << ") " << port.name
             << " <= " << text(op.operands[0], port.width, at) << ";\n";
       any += (any.empty() ? "" : " | ") + ("(" + happens(op, at) + ")");

@@ -86,11 +86,18 @@ std::string ProcessEmitter::loop_probe(int block) {
   const Block& loop = block_of(block);
   std::string stem = names_.unique("probe_" + loop.name), goes_on = stem + "_goes_on", last = stem + "_last",
               intervals = stem + "_intervals", cycles = stem + "_cycles";
+  std::string pauses = "state != " + state_name(block, 0);
+  if (loop.takes_calls) {  // Nobody calls, or what the call reads is not there.
+    pauses += " || " + active({block, 0}) + " & ~ap_start";
+    for (const auto& [id, condition] : blocked_)
+      if (process_[id].kind == OpKind::kRead && process_[id].block == block && schedule_.start[id] == 0)
+        pauses += " || " + condition;
+  }
   std::ostringstream out;
   out << "    reg " << goes_on << " = 0;\n    longint " << last << " = 0, " << intervals << " = 0, " << cycles
-      << " = 0;\n    always @(posedge clk) begin\n        if (rst || state != " << state_name(block, 0)
-      << ") " << goes_on << " <= 1'b0;\n        else if (" << happens({block, 0}) << ") begin\n            "
-      << goes_on << " <= 1'b1;\n            " << last << " <= probe_clock;\n            if (" << goes_on
+      << " = 0;\n    always @(posedge clk) begin\n        if (rst || " << pauses << ") " << goes_on
+      << " <= 1'b0;\n        else if (" << happens({block, 0}) << ") begin\n            " << goes_on
+      << " <= 1'b1;\n            " << last << " <= probe_clock;\n            if (" << goes_on
       << ") begin\n                " << intervals << " <= " << intervals << " + 1;\n                "
       << cycles << " <= " << cycles << " + probe_clock - " << last
       << ";\n            end\n        end\n    end\n    final if (" << intervals

@@ -17,6 +17,7 @@ ProcessEmitter::ProcessEmitter(const Process& process, const ProcessSchedule& sc
     if (!op.name.empty()) names_.unique(op.name);
   for (const Memory& memory : process.memories) names_.unique(memory.name);
   for (const Block& block : process.blocks) names_.unique(block.name);
+  for (size_t block = 0; block < process.blocks.size(); ++block) splits_.push_back(find_splits(block));
 }
 
 std::string ProcessEmitter::run_combinational() {
@@ -60,6 +61,7 @@ std::string ProcessEmitter::describe(int block) const {
 void ProcessEmitter::emit_operation(ValueId id, int block) {
   const Operation& op = process_[id];
   Place at{block, schedule_.start[id]};
+  if (op.kind == OpKind::kInput) return;
   if (op.kind == OpKind::kPhi) {
     if (!shared_phis_.count(id)) registers_ << "    reg " << range_text_spaced(op.bits) << op.name << ";\n";
     return;
@@ -78,7 +80,10 @@ void ProcessEmitter::emit_operation(ValueId id, int block) {
 std::string ProcessEmitter::assembled() {
   emit_held_values();
   emit_copies();
-  std::string entry = go_to(0, {-1, 0}, "(state == S_IDLE) & ap_start", "                ");
+  const bool takes_calls = process_.call_loop() >= 0;
+  const std::string signals = handshake();
+  std::string entry = go_to(0, {-1, 0}, std::string("(state == S_IDLE)") + (takes_calls ? "" : " & ap_start"),
+                            "                ");
   std::ostringstream out;
   out << header() << "`default_nettype none\n\nmodule " << process_.name << " (\n";
   out << "    input wire clk,\n    input wire rst,\n    input wire ap_start,\n    input wire "
@@ -87,17 +92,33 @@ std::string ProcessEmitter::assembled() {
       << "\n);\n\n";
   out << state_declarations() << registers_.str() << functions_.str() << "\n" << forward_declarations();
   out << wires_.str() << "\n" << stalls_.str() << "\n" << bodies_.str() << "\n";
-  out << "    assign ap_idle = (state == S_IDLE);\n    assign ap_done = (state == S_DONE);\n";
-  out << "    assign ap_ready = ap_done & ap_continue;\n\n";
-  out << "    always @(posedge clk) begin\n" << control_.str() << "        case (state)\n";
-  out << "            S_IDLE: if (ap_start) begin\n" << entry << "            end\n" << cases_.str();
-  out << "            S_DONE: if (ap_continue) state <= S_IDLE;\n            default: state <= S_IDLE;\n";
-  out << "        endcase\n"
+  out << signals << "    always @(posedge clk) begin\n" << control_.str() << "        case (state)\n";
+  out << "            S_IDLE: " << (takes_calls ? "" : "if (ap_start) ") << "begin\n"
+      << entry << "            end\n"
+      << cases_.str();
+  if (!takes_calls) out << "            S_DONE: if (ap_continue) state <= S_IDLE;\n";
+  out << "            default: state <= S_IDLE;\n        endcase\n"
       << phi_starts_.str() << "        if (rst) begin\n            state <= S_IDLE;\n"
       << loop_resets() << resets_.str();
   out << "        end\n    end\n"
       << data_block() << (has_probes_ ? probes() : "") << "\nendmodule\n\n`default_nettype wire\n";
   return out.str();
+}
+
+std::string ProcessEmitter::handshake() {
+  int calls = process_.call_loop();
+  if (calls < 0)
+    return "    assign ap_idle = (state == S_IDLE);\n    assign ap_done = (state == S_DONE);\n"
+           "    assign ap_ready = ap_done & ap_continue;\n\n";
+  int last = timing(calls).length - 1;
+  const std::string done = kCallDone;
+  registers_ << "    reg " << done << ";\n";
+  control_ << "        " << done << " <= " << happens({calls, last}) << " | (" << done
+           << " & ~ap_continue);\n";
+  resets_ << "            " << done << " <= 1'b0;\n";
+  std::string works = last ? "(|" + block_of(calls).name + "_active[" + std::to_string(last) + ":1])" : "";
+  return "    assign ap_idle = ~ap_start & ~" + done + (works.empty() ? "" : " & ~" + works) +
+         ";\n    assign ap_done = " + done + ";\n    assign ap_ready = " + happens({calls, 0}) + ";\n\n";
 }
 
 std::string ProcessEmitter::state_declarations() const {
@@ -123,7 +144,8 @@ std::string ProcessEmitter::forward_declarations() {
   for (size_t block = 0; block < process_.blocks.size(); ++block) {
     if (!is_loop(block)) continue;
     out += "    wire " + block_of(block).name + "_ce;\n";
-    if (split_stage(block) >= 0) out += "    wire " + block_of(block).name + "_front_ce;\n";
+    for (size_t group = splits(block).size(); group-- > 0;)
+      out += "    wire " + group_enable(block, group) + ";\n";
   }
   return out;
 }

@@ -86,6 +86,9 @@ constexpr unsigned kWideScalars = 8;
 /// LUT RAM before each would cost more than it is worth to have more than two runs under way.
 constexpr unsigned kRegisteredScalars = 256;
 
+/// Runs under way in a region where runs of an instance overlap.
+constexpr int kOverlappingRuns = 32;
+
 class TopWriter {
  public:
   TopWriter(const FunctionInfo& top, const PortModes& modes, bool has_probes)
@@ -138,6 +141,8 @@ class TopWriter {
   TopModule dataflow(const Region& region, const std::vector<const Process*>& processes,
                      const std::vector<std::string>& taps) {
     processes_ = processes;
+    runs_overlap_ = std::any_of(processes.begin(), processes.end(),
+                                [](const Process* process) { return process->call_loop() >= 0; });
     if (has_probes_) body_ << probe_imports();
     for (const RegionStream& stream : region.streams) {
       if (stream.argument >= 0)
@@ -688,18 +693,20 @@ class TopWriter {
   }
 
   /// What starts the run of an instance: the FIFO that holds the scalars of its runs. They stay at its output
-  /// until the instance is done.
-  void add_starts(const std::string& name, const std::string& data, unsigned width,
-                  const std::string& taken) {
-    Handshake out = {taken, name + "_start", name + "_done"};
+  /// until the instance is done, or where its runs overlap until it `begins` one.
+  void add_starts(const std::string& name, const std::string& data, unsigned width, const std::string& taken,
+                  const std::string& begins) {
+    Handshake out = {taken, name + "_start", begins.empty() ? name + "_done" : begins};
     std::string ready = name + "_start_free";
     if (has_registers_)
       fifo(name + "_starts", std::max(1u, width), 1,
            {data, "run_waits & ~taken[" + std::to_string(dones_.size()) + "]", ready}, out);
     else if (width >= kWideScalars)
-      fifo(name + "_starts", width, 4, {data, "run_starts", ready}, out, "scalar_fifo");
+      fifo(name + "_starts", width, runs_overlap_ ? kOverlappingRuns : 4, {data, "run_starts", ready}, out,
+           "scalar_fifo");
     else
-      fifo(name + "_starts", std::max(1u, width), 2, {data, "run_starts", ready}, out);
+      fifo(name + "_starts", std::max(1u, width), runs_overlap_ ? kOverlappingRuns : 2,
+           {data, "run_starts", ready}, out);
     dones_.push_back(name + "_done");
     frees_.push_back(ready);
   }
@@ -707,6 +714,7 @@ class TopWriter {
   void add_instance(const Region& region, size_t index, const Process& process) {
     const Instance& instance = region.instances[index];
     const std::string& name = instance.name;
+    const bool overlaps = process.call_loop() >= 0;
     std::vector<std::string> inputs;
     unsigned width = 0;
     for (size_t i = 0; i < process.scalars.size(); ++i) {
@@ -717,7 +725,9 @@ class TopWriter {
     bool is_free = runs_freely(instance, region);
     std::string start = is_free ? "1'b1" : name + "_start", done = is_free ? "" : name + "_done";
     body_ << "\n";
+    std::string begins = is_free || !overlaps ? "" : name + "_begins";
     if (!is_free) body_ << "    wire " << start << ", " << done << ", " << name << "_start_free;\n";
+    if (!begins.empty()) body_ << "    wire " << begins << ";\n";
     std::string data = "1'b0", taken;
     if (width) {
       taken = name + "_scalars";
@@ -725,7 +735,7 @@ class TopWriter {
       data = "{";
       for (size_t i = inputs.size(); i-- > 0;) data += inputs[i] + (i ? ", " : "}");
     }
-    if (!is_free) add_starts(name, data, width, taken);
+    if (!is_free) add_starts(name, data, width, taken, begins);
     tied_.clear();
     for (const ChannelPort& tie : instance.channels) tied_.insert(tie.memory);
     std::string gate = start, ends;
@@ -735,7 +745,7 @@ class TopWriter {
           << " (\n        .clk(ap_clk),\n        .rst(rst),\n";
     body_ << "        .ap_start(" << gate << "),\n        .ap_continue(1'b1),\n        .ap_done(" << done
           << "),\n";
-    body_ << "        .ap_idle(),\n        .ap_ready()" << tied_ports;
+    body_ << "        .ap_idle(),\n        .ap_ready(" << begins << ")" << tied_ports;
     for (size_t i = 0; i < process.streams.size(); ++i)
       for (const char* suffix : suffixes(process.streams[i].is_input))
         body_ << ",\n        ." << process.streams[i].name << suffix << "("
@@ -819,7 +829,10 @@ class TopWriter {
   }
 
   /// Counters of runs: two may overlap where instances have registers, and one more that all have finished.
-  unsigned run_bits() const { return has_registers_ ? 2 : 3; }
+  unsigned run_bits() const {
+    if (has_registers_) return 2;
+    return runs_overlap_ ? address_bits(kOverlappingRuns) : 3;
+  }
   unsigned most_runs() const { return (1u << run_bits()) - 1; }
   std::string counted(unsigned runs) const {
     return std::to_string(run_bits()) + "'d" + std::to_string(runs);
@@ -862,6 +875,7 @@ class TopWriter {
   const bool has_probes_;
   TopInterface interface_;
   bool head_is_combinational_ = false;
+  bool runs_overlap_ = false;              ///< An instance begins a run before it has ended the one before.
   bool has_registers_ = false;             ///< Of the instances' scalars, in place of FIFOs.
   std::set<std::string> tied_;             ///< Memory ports of the instance at hand that lead to a channel.
   std::vector<const Process*> processes_;  ///< Of a region.
@@ -873,7 +887,12 @@ class TopWriter {
 
 TopModule emit_single_top(const FunctionInfo& top, const Process& process, const PortModes& modes,
                           bool has_probes) {
-  return TopWriter(top, modes, has_probes).single(process);
+  // A co-simulation starts overlapping calls that nothing outside can hold back, so that a call is one run.
+  PortModes told = modes;
+  bool is_free = modes.mode("return") == "ap_ctrl_none" && process.streams.empty();
+  if (has_probes && is_free && process.call_loop() >= 0)
+    told.by_port["return"].options["mode"] = "ap_ctrl_hs";
+  return TopWriter(top, told, has_probes).single(process);
 }
 
 TopModule emit_dataflow_top(const FunctionInfo& top, const Region& region,

@@ -5,7 +5,7 @@ namespace hlsc {
 
 std::string ProcessEmitter::signal(ValueId id, Place at) {
   const Operation& op = process_[id];
-  if (op.kind == OpKind::kInput) return process_.scalars[op.object].name;
+  if (op.kind == OpKind::kInput && op.block < 0) return process_.scalars[op.object].name;
   if (op.block != at.block) return held(id);
   if (is_loop(at.block)) {
     int copy = copy_of(id, at.cycle);

@@ -32,15 +32,18 @@ class ProcessEmitter {
     int cycle = 0;
     bool is_known_at_issue = true;
   };
-  /// Blocked accesses: of plain blocks, and by loop of the stages up to the split and behind it.
+  /// Blocked accesses: of plain blocks, and by loop of each of its groups of stages.
   struct Stalls {
     std::string plain;
-    std::map<int, std::string> front, back;
+    std::map<int, std::map<size_t, std::string>> groups;
   };
   struct PortSignals {
     std::string enable, address, data;
     std::map<int, std::string> advance;  ///< Of a far RAM: a load moves on, by stages after its address.
   };
+
+  /// A call has ended, and its end waits to be taken.
+  static constexpr const char* kCallDone = "done_q";
 
   // The module (emit_process.cpp)
   const Block& block_of(int block) const { return process_.blocks[block]; }
@@ -51,6 +54,8 @@ class ProcessEmitter {
   std::string describe(int block) const;
   void emit_operation(ValueId id, int block);
   std::string assembled();
+  /// When the process is done, and takes its next start.
+  std::string handshake();
   std::string state_declarations() const;
   std::string loop_resets() const;
   /// Verilog wants a net declared before its use; these depend on wires that depend on them in other blocks.
@@ -69,9 +74,22 @@ class ProcessEmitter {
   std::string enable(Place at) const;
   std::string happens(Place at);
   std::string happens(const Operation& op, Place at);
-  /// Last stage with a stream read, if the stages behind it can go on without it; -1 when all stages move
-  /// together.
-  int split_stage(int block) const;
+  /// The last stages of the groups of stages that can stop while those behind go on; none when all stages
+  /// move together. The stages behind the last split are a group, too.
+  const std::vector<int>& splits(int block) const { return splits_[block]; }
+  std::vector<int> find_splits(int block) const;
+  /// Of a loop of calls, whose every access stops only its own call and those behind.
+  std::vector<int> splits_of_calls(int block) const;
+  /// Whether what a RAM has read for a stage up to `stage` stays there while those behind go on.
+  bool keeps_words(int block, int stage) const;
+  size_t group_of(Place at) const;
+  /// The clock enable of a group of stages.
+  std::string group_enable(int block, size_t group) const;
+  /// Of a loop of calls with II > 1: the cycles modulo II by which the group has stopped while those behind
+  /// went on. It goes on when that is 0, so that calls share the ports of memories as in the schedule.
+  std::string group_slip(int block, size_t group) const;
+  /// Whether any stage is at work behind those of the group, when all have moved on; empty: never.
+  std::string works_behind(int block, size_t group) const;
   void emit_block(int block);
   /// Statements that bring control to block `to`, from where it ends in `from`, at the clock `when`.
   std::string go_to(int to, Place from, const std::string& when, const std::string& indent);
@@ -90,6 +108,7 @@ class ProcessEmitter {
   /// Whether the next iteration enters.
   std::string issue_of(int block, const LoopExit& exit);
   void emit_pipeline(int block, const LoopExit& exit);
+  void emit_slips(int block);
   std::string transition_of_loop(int block, int cycle, const std::string& when);
   void emit_phi_updates(int block);
 
@@ -143,9 +162,12 @@ class ProcessEmitter {
 
   // Memories (emit_memories.cpp)
   void emit_memory(size_t index);
+  /// In which order a choice asks accesses whether they use a port: those of calls from the oldest on, for a
+  /// call may wait in its stage while one ahead of it goes on.
+  std::vector<ValueId> in_order_of_choice(std::vector<ValueId> accesses) const;
   std::vector<ValueId> of_kind(const std::vector<ValueId>& accesses, OpKind kind) const;
   /// Enable, address and data of the one port that `users` share.
-  PortSignals port_of(const Memory& memory, const std::vector<ValueId>& users);
+  PortSignals port_of(const Memory& memory, const std::vector<ValueId>& accesses);
   void emit_ram(const Memory& memory, const std::vector<ValueId>& accesses);
   /// Block RAM starts as zero on every target; other contents and simulation need to be told.
   void emit_initial_words(const Memory& memory, const std::string& array);
@@ -156,13 +178,14 @@ class ProcessEmitter {
 
   // Streams and scalar ports (emit_ports.cpp)
   void emit_streams();
+  void emit_enables(int block, std::map<size_t, std::string>& blocked);
   void emit_stream(int index, Stalls& stalls);
   void emit_stream_port(const Stream& stream, const std::string& strobe, const std::string& data);
   void emit_outputs();
 
   // What a co-simulation is told (emit_probes.cpp)
   std::string probes();
-  /// The mean interval between the iterations of a pipelined loop.
+  /// The mean interval between the iterations of a pipelined loop; of calls while they wait for nothing.
   std::string loop_probe(int block);
   /// Whether the accesses of an array with DEPENDENCE inter false keep the order of the program.
   std::string dependence_probe(int block, int memory);
@@ -171,6 +194,7 @@ class ProcessEmitter {
   const ProcessSchedule& schedule_;
   const std::map<ValueId, ValueId> shared_phis_;
   const bool has_probes_;
+  std::vector<std::vector<int>> splits_;  ///< By block.
   NameTable names_;
   std::vector<std::string> states_;
   std::vector<std::vector<std::string>> state_names_;  ///< By block and cycle.

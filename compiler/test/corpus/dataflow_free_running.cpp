@@ -3,11 +3,11 @@
 // tokens: 1
 // calls: 100
 #include "hls_stream.h"
-static void add(hls::stream<int>& in, hls::stream<int>& out) {
+static void add(hls::stream<int>& in, hls::stream<int>& out) {  // expect: loop II=1 depth=1
 #pragma HLS PIPELINE II=1
   out.write(in.read() + 1);
 }
-static void twice(hls::stream<int>& in, hls::stream<int>& out) {
+static void twice(hls::stream<int>& in, hls::stream<int>& out) {  // expect: loop II=1 depth=1
 #pragma HLS PIPELINE II=1
   out.write(in.read() * 2);
 }

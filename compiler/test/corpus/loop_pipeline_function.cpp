@@ -1,6 +1,6 @@
 // PIPELINE in a function unrolls the loops inside it.
 // top: loop_pipeline_function
-// expect: latency 2
+// expect: latency 1
 int loop_pipeline_function(int a, int b) {
 #pragma HLS PIPELINE II=1
   int x = a;
