@@ -146,9 +146,10 @@ void ProcessBuilder::collect_loops() {
 SourceLoop ProcessBuilder::described(const Loop& loop) {
   SourceLoop made;
   made.header = block_ids_[loop.getHeader()];
-  made.name = process_.blocks[made.header].name;
   DebugLoc start = loop.getStartLoc();
   made.location = start ? location_of(start) : process_.blocks[made.header].location;
+  made.name = program_.loop_label(made.location);
+  if (made.name.empty()) made.name = process_.blocks[made.header].name;
   for (BasicBlock* block : loop.blocks()) made.blocks.push_back(block_ids_[block]);
   if (is_call_loop(function_)) {
     made.least_trips = made.most_trips = 1;  // Of a run, which is a call.

@@ -189,7 +189,7 @@ struct Block {
 
 /// A loop of the source that is still one, pipelined or not.
 struct SourceLoop {
-  std::string name;  ///< Of its first block.
+  std::string name;  ///< Its label in the source, else that of its first block.
   SourceLocation location;
   int header = 0;                            ///< Block.
   std::vector<int> blocks;                   ///< Those of inner loops among them.

@@ -14,6 +14,7 @@
 #include <llvm/IR/LLVMContext.h>
 #include <llvm/IR/Module.h>
 #include <llvm/Linker/Linker.h>
+#include <llvm/Support/FileSystem.h>
 #include <llvm/Support/Path.h>
 
 #include "frontend/constant_calls.h"
@@ -22,12 +23,34 @@
 #include "frontend/pragma_handler.h"
 
 namespace hlsc {
+namespace {
+
+/// A file by its whole path: Clang names it as it was given, debug information from the folder of the
+/// compile.
+std::string key_of(SourceLocation place) {
+  llvm::SmallString<256> path(place.file);
+  (void)llvm::sys::fs::make_absolute(path);
+  llvm::sys::path::remove_dots(path, /*remove_dot_dot=*/true);
+  place.file = path.str();
+  return place.text();
+}
+
+}  // namespace
 
 Program::Program() = default;
 Program::~Program() {
   module.reset();  // Before its context.
 }
 Program::Program(Program&&) noexcept = default;
+
+std::string Program::loop_label(const SourceLocation& loop) const {
+  auto found = loop_labels_.find(key_of(loop));
+  return found == loop_labels_.end() ? "" : found->second;
+}
+
+void Program::set_loop_label(const SourceLocation& loop, const std::string& label) {
+  loop_labels_[key_of(loop)] = label;
+}
 
 namespace {
 
@@ -166,7 +189,19 @@ class ProgramReader : public clang::SemaConsumer, public clang::RecursiveASTVisi
     return true;
   }
 
+  bool VisitLabelStmt(clang::LabelStmt* labelled) {
+    const clang::Stmt* loop = labelled->getSubStmt();
+    if (llvm::isa<clang::ForStmt, clang::WhileStmt, clang::DoStmt, clang::CXXForRangeStmt>(loop))
+      program_.set_loop_label(place_of(loop->getBeginLoc()), labelled->getName());
+    return true;
+  }
+
  private:
+  SourceLocation place_of(clang::SourceLocation location) const {
+    clang::PresumedLoc place = context_->getSourceManager().getPresumedLoc(location);
+    return {place.getFilename(), place.getLine(), place.getColumn()};
+  }
+
   /// Functions of the user, and those behind hls::split and hls::merge (hls_np_channel.h).
   bool may_be_process(const clang::FunctionDecl* function) const {
     return !context_->getSourceManager().isInSystemHeader(function->getLocation()) ||
@@ -177,8 +212,7 @@ class ProgramReader : public clang::SemaConsumer, public clang::RecursiveASTVisi
     FunctionInfo info;
     info.name = function->getNameAsString();
     info.qualified = function->getQualifiedNameAsString();
-    clang::PresumedLoc place = context_->getSourceManager().getPresumedLoc(function->getLocation());
-    info.location = {place.getFilename(), place.getLine(), place.getColumn()};
+    info.location = place_of(function->getLocation());
     info.result_text = type_text(*context_, function->getReturnType(), "");
     info.is_c = function->isExternC();
     info.is_in_c_file = !function->getASTContext().getLangOpts().CPlusPlus;
@@ -206,9 +240,8 @@ class ProgramReader : public clang::SemaConsumer, public clang::RecursiveASTVisi
   /// The problem's text, at `where` when it has no place of its own.
   std::string located(clang::SourceLocation where, const CompileError& problem) const {
     std::string text = problem.what();
-    clang::PresumedLoc place = context_->getSourceManager().getPresumedLoc(where);
-    if (text.rfind("error: ", 0) != 0 || place.isInvalid()) return text;
-    return SourceLocation{place.getFilename(), place.getLine(), place.getColumn()}.text() + ": " + text;
+    if (text.rfind("error: ", 0) != 0 || where.isInvalid()) return text;
+    return place_of(where).text() + ": " + text;
   }
 
   /// A class template that only an unused array or pointer names, as ap_int<16> in `ap_int<16> x[8]`, has no

@@ -71,6 +71,13 @@ struct Program {
   /// Layout of T by the mangled name of each stream primitive instance `__hls_stream_read<T>` and its like.
   std::map<std::string, TypeLayout> stream_types;
   std::map<std::string, FunctionInfo> functions;  ///< By mangled name; those defined in the user's sources.
+
+  /// The label of the loop at this place; empty: it has none.
+  std::string loop_label(const SourceLocation& loop) const;
+  void set_loop_label(const SourceLocation& loop, const std::string& label);
+
+ private:
+  std::map<std::string, std::string> loop_labels_;
 };
 
 /// Parses all files and links them to one module of unoptimised IR. Throws CompileError with Clang's messages

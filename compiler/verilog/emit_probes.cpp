@@ -93,6 +93,8 @@ std::string ProcessEmitter::loop_probe(int block) {
       if (process_[id].kind == OpKind::kRead && process_[id].block == block && schedule_.start[id] == 0)
         pauses += " || " + condition;
   }
+  auto source = std::ranges::find(process_.loops, block, &SourceLoop::header);
+  const std::string& name = source == process_.loops.end() ? loop.name : source->name;
   std::ostringstream out;
   out << "    reg " << goes_on << " = 0;\n    longint " << last << " = 0, " << intervals << " = 0, " << cycles
       << " = 0;\n    always @(posedge clk) begin\n        if (rst || " << pauses << ") " << goes_on
@@ -101,7 +103,7 @@ std::string ProcessEmitter::loop_probe(int block) {
       << ") begin\n                " << intervals << " <= " << intervals << " + 1;\n                "
       << cycles << " <= " << cycles << " + probe_clock - " << last
       << ";\n            end\n        end\n    end\n    final if (" << intervals
-      << " != 0) hlsc_loop($sformatf(\"%m\"), " << quoted(loop.name) << ", " << quoted(loop.location.text())
+      << " != 0) hlsc_loop($sformatf(\"%m\"), " << quoted(name) << ", " << quoted(loop.location.text())
       << ", " << timing(block).ii << ", " << intervals << ", " << cycles << ");\n";
   return out.str();
 }
