@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "design/exclusive.h"
 #include "schedule/problem.h"
@@ -10,6 +11,7 @@
 namespace hlsc {
 namespace {
 
+/// Of a written loop: it is then better none. Calls have the II that they need.
 constexpr int kMaxIi = 256;
 constexpr int kDeepestAddress = 8;     ///< Operations in each other that are looked through.
 constexpr unsigned kWideAddress = 20;  ///< Bits that no loop's counter runs through.
@@ -92,7 +94,8 @@ class BlockScheduler {
           summary.limit = explain(failure);
           summary.limiting_memory = resources_.memory_to_widen(process_, failure.resource);
         }
-        if (++problem_.ii > kMaxIi)
+        raise_ii();
+        if (problem_.ii > kMaxIi && !block_.takes_calls)
           throw CompileError(block_.location, "the loop has no schedule with an II up to " +
                                                   std::to_string(kMaxIi) + ": " + summary.limit);
       }
@@ -110,6 +113,12 @@ class BlockScheduler {
   }
 
  private:
+  /// To the next II that may do; calls that take long have one to a sixteenth more than the least.
+  void raise_ii() {
+    problem_.ii += block_.takes_calls ? 1 + problem_.ii / 16 : 1;
+    if (block_.takes_calls) problem_.ii = std::max(problem_.ii, resource_ii(problem_));
+  }
+
   void build_operations() {
     for (ValueId id : block_.operations) {
       const Operation& op = process_[id];
@@ -397,9 +406,12 @@ class BlockScheduler {
   std::string explain(const ScheduleFailure& failure) const {
     if (failure.resource >= 0) {
       std::string users;
-      for (size_t i = 0; i < problem_.operations.size(); ++i)
-        if (problem_.operations[i].resource == failure.resource)
-          users += (users.empty() ? "" : ", ") + process_[block_.operations[i]].location.text();
+      std::set<std::string> places;
+      for (size_t i = 0; i < problem_.operations.size(); ++i) {
+        std::string place = process_[block_.operations[i]].location.text();
+        if (problem_.operations[i].resource == failure.resource && places.insert(place).second)
+          users += (users.empty() ? "" : ", ") + place;
+      }
       return "the " + resources_.name(process_, failure.resource) + " is used at " + users +
              "; partition the array or access it once an iteration";
     }
