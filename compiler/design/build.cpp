@@ -148,7 +148,7 @@ SourceLoop ProcessBuilder::described(const Loop& loop) {
   made.header = block_ids_[loop.getHeader()];
   DebugLoc start = loop.getStartLoc();
   made.location = start ? location_of(start) : process_.blocks[made.header].location;
-  made.name = program_.loop_label(made.location);
+  if (start) made.name = program_.loop_label(whole_location_of(start));
   if (made.name.empty()) made.name = process_.blocks[made.header].name;
   for (BasicBlock* block : loop.blocks()) made.blocks.push_back(block_ids_[block]);
   if (is_call_loop(function_)) {

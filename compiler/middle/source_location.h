@@ -4,6 +4,7 @@
 
 #include <llvm/IR/DebugInfoMetadata.h>
 #include <llvm/IR/Instruction.h>
+#include <llvm/Support/Path.h>
 
 #include "frontend/diagnostic.h"
 
@@ -19,6 +20,13 @@ inline SourceLocation location_of(const llvm::DebugLoc& debug) {
   const llvm::DILocation* place = debug.get();
   while (is_library_file(place->getFilename()) && place->getInlinedAt()) place = place->getInlinedAt();
   return {place->getFilename().str(), place->getLine(), place->getColumn()};
+}
+/// With the whole path of the file, which debug information splits where the compile's folder begins alike.
+inline SourceLocation whole_location_of(const llvm::DebugLoc& debug) {
+  SourceLocation place = location_of(debug);
+  if (!llvm::sys::path::is_absolute(place.file))
+    place.file = (debug->getDirectory() + "/" + place.file).str();
+  return place;
 }
 inline SourceLocation location_of(const llvm::Instruction& instruction) {
   return location_of(instruction.getDebugLoc());
