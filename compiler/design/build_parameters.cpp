@@ -43,6 +43,11 @@ void ProcessBuilder::read_parameter(Argument& argument, const Parameter& paramet
       stream.llvm_argument = argument.getArgNo();
       process_.streams.push_back(stream);
     }
+    bool is_top = function_.getName() == program_.top;
+    if (is_top || parameter.members.leaves.empty()) return;
+    Parameter members = parameter;
+    members.layout = parameter.members;
+    add_parameter_object(argument, members, index);
   } else if (argument.getType()->isPointerTy()) {
     add_parameter_object(argument, parameter, index);
   } else {

@@ -60,8 +60,9 @@ void ProcessBuilder::build_instance(CallInst& call, int index) {
     instance.memories.push_back(memory_tie(call, *argument, memory));
   }
   instance.is_task = is_task(call);
-  if (instance.is_task &&
-      !(process.scalars.empty() && instance.memories.empty() && instance.channels.empty()))
+  bool has_banks_of_runs = any_of(
+      instance.channels, [&](const ChannelPort& port) { return !region_->channels[port.channel].has_locks; });
+  if (instance.is_task && !(process.scalars.empty() && instance.memories.empty() && !has_banks_of_runs))
     refuse(call, "task '" + instance.name + "' takes more than streams; send the other values by streams");
   region_->instances.push_back(instance);
 }
@@ -124,9 +125,13 @@ MemoryTie ProcessBuilder::memory_tie(CallInst& call, Argument& argument, const M
 }
 
 ChannelPort ProcessBuilder::channel_port(CallInst& call, Value* array, const Memory& memory) {
-  auto [known, is_new] = region_channels_.emplace(array, region_->channels.size());
+  APInt offset(64, 0);
+  Value* base = array->stripAndAccumulateConstantOffsets(layout_, offset, true);
+  auto [known, is_new] =
+      region_channels_.emplace(std::make_pair(base, offset.getZExtValue()), region_->channels.size());
   if (is_new) region_->channels.push_back(new_channel(call, array));
   RegionChannel& channel = region_->channels[known->second];
+  if (channel.has_locks) channel.depth = std::max(channel.depth, memory.depth);
   int self = region_->instances.size();
   int& end = memory.is_written ? channel.writer : channel.reader;
   bool reads_back = memory.is_written && memory.is_read;
@@ -136,7 +141,7 @@ ChannelPort ProcessBuilder::channel_port(CallInst& call, Value* array, const Mem
   if (end >= 0 && end != self)
     refuse(call, "array '" + channel.name + "' has two " + (memory.is_written ? "writers" : "readers") +
                      "; give each pair of processes an array of its own");
-  if (!memory.is_written && channel.writer < 0)
+  if (!memory.is_written && channel.writer < 0 && !channel.has_locks)
     refuse(call,
            "array '" + channel.name + "' is read before a process has written it; call the writer first");
   end = self;
@@ -175,11 +180,30 @@ int ProcessBuilder::region_stream(CallInst& call, const Stream& port) {
   RegionStream& stream = region_->streams[known->second];
   if (is_new) stream.location = nearest_location(call);
   int& end = port.is_input ? stream.reader : stream.writer;
+  if (end < 0 && port.is_lock) tie_to_channel(stream, port, base, offset.getZExtValue() - port.byte_offset);
   if (end >= 0)
     refuse(call, "stream '" + stream.name + "' has two " + (port.is_input ? "readers" : "writers") +
                      "; give each process a stream of its own");
   end = region_->instances.size();
   return known->second;
+}
+
+/// hls_streamofblocks.h: the tokens of the claimed banks come first, then those of the filled ones.
+void ProcessBuilder::tie_to_channel(RegionStream& stream, const Stream& port, Value* base, uint64_t place) {
+  auto [known, is_new] = region_channels_.emplace(std::make_pair(base, place), region_->channels.size());
+  if (is_new) {
+    RegionChannel channel;
+    channel.name = names_.unique(object_name(base) + (place ? "_" + std::to_string(place) : ""), "channel");
+    channel.location = stream.location;
+    channel.has_locks = true;
+    for (const ObjectDirective& entry : middle_.directives.of(base, "STREAM"))
+      channel.banks = std::max<int>(2, entry.directive.integer("depth", 2));
+    region_->channels.push_back(channel);
+  }
+  stream.channel = known->second;
+  stream.fills = port.byte_offset > 0;
+  RegionChannel& channel = region_->channels[known->second];
+  (port.is_input ? channel.reader : channel.writer) = region_->instances.size();
 }
 
 RegionStream ProcessBuilder::new_region_stream(Value* base, uint64_t offset, unsigned width) {

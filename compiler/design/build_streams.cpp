@@ -14,6 +14,7 @@ ValueId ProcessBuilder::read_stream(CallInst& call) {
     read.type_width = width;
     read.predicate = predicate_at(call.getArgOperand(1), place, call);
     read.object = place.stream;
+    process_.streams[place.stream].is_lock |= is_lock(call);
     ValueId one = add(read, call, process_.streams[place.stream].name + "_data");
     data = data == kNoValue ? one : select(place.condition, one, data, call);
   }
@@ -29,6 +30,7 @@ void ProcessBuilder::write_stream(CallInst& call) {
     write.operands = {data};
     write.predicate = predicate_at(call.getArgOperand(2), place, call);
     write.object = place.stream;
+    process_.streams[place.stream].is_lock |= is_lock(call);
     add(write, call, process_.streams[place.stream].name + "_write");
   }
 }

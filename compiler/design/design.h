@@ -144,6 +144,7 @@ struct Stream {
   uint64_t byte_offset = 0;  ///< Of the handle in the parameter's object.
   unsigned width = 0;
   bool is_input = false;   ///< Read by this process.
+  bool is_lock = false;    ///< Its tokens take and give the memory port of the same parameter (guards).
   int argument = -1;       ///< Index of the parameter.
   int llvm_argument = -1;  ///< Index of the parameter in LLVM IR, where one C++ parameter may be several.
   std::string global;      ///< Name in LLVM IR of a stream that is no parameter.
@@ -215,6 +216,13 @@ struct Process {
     return -1;
   }
 
+  /// Whether a stream access takes or gives away the memory: no access of it may pass it.
+  bool guards(const Operation& access, int memory) const {
+    return access.is_stream_access() && streams[access.object].is_lock &&
+           memories[memory].kind == MemoryKind::kPort &&
+           memories[memory].llvm_argument == streams[access.object].llvm_argument;
+  }
+
   Operation& operator[](ValueId id) { return operations[id]; }
   const Operation& operator[](ValueId id) const { return operations[id]; }
 };
@@ -256,13 +264,18 @@ struct RegionStream {
   int argument = -1;             ///< Parameter of the top; -1: local.
   int index = -1;                ///< In an array of streams.
   int writer = -1, reader = -1;  ///< Instances.
+  int channel = -1;              ///< The channel of which it takes and gives banks; -1: a stream of its own.
+  bool fills = false;            ///< With a channel: its tokens are the filled banks, else those claimed.
   SourceLocation location;       ///< Of the first call that takes it.
 };
 
-/// An array between two instances: two banks, the writer fills one while the reader takes the other.
+/// An array between two instances: two banks, the writer fills one while the reader takes the other. A bank
+/// changes hands when a run ends, or, of hls::stream_of_blocks, by the tokens of two streams.
 struct RegionChannel {
   std::string name;
   uint64_t depth = 0;                          ///< Elements.
+  unsigned banks = 2;                          ///< That are filled or locked at most.
+  bool has_locks = false;                      ///< Of hls::stream_of_blocks.
   int writer = -1, reader = -1;                ///< Instances; no reader: what is written goes nowhere.
   std::map<uint64_t, unsigned> member_widths;  ///< Byte offset of a member in an element -> bits.
   std::set<uint64_t> read_back;                ///< Members that the writer reads, too, by their byte offset.

@@ -117,7 +117,7 @@ class AccessMerger {
 
  private:
   bool is_mergeable(const Operation& op) const {
-    if (op.is_stream_access()) return true;
+    if (op.is_stream_access()) return !process_.streams[op.object].is_lock;
     return op.kind == OpKind::kStore && process_.memories[op.object].kind != MemoryKind::kRegisters;
   }
 
@@ -126,6 +126,9 @@ class AccessMerger {
     for (ValueId id : process_.blocks[block].operations) {
       const Operation& op = process_[id];
       if (!op.is_stream_access() && !op.is_memory_access()) continue;
+      std::erase_if(last, [&](const auto& access) {
+        return !access.first.first && process_.guards(op, access.first.second);
+      });
       auto key = std::make_pair(op.is_stream_access(), op.object);
       auto before = last.find(key);
       if (before != last.end() && is_mergeable(op) &&

@@ -231,6 +231,7 @@ class ProcessBuilder {
   MemoryTie memory_tie(llvm::CallInst& call, llvm::Argument& argument, const Memory& memory);
   ChannelPort channel_port(llvm::CallInst& call, llvm::Value* array, const Memory& memory);
   RegionChannel new_channel(llvm::CallInst& call, llvm::Value* array);
+  void tie_to_channel(RegionStream& stream, const Stream& port, llvm::Value* base, uint64_t place);
   int region_stream(llvm::CallInst& call, const Stream& port);
   RegionStream new_region_stream(llvm::Value* base, uint64_t offset, unsigned width);
   /// What feeds a scalar port of an instance: an output of the head, or for the instance's own outputs a port
@@ -257,7 +258,7 @@ class ProcessBuilder {
   llvm::CallInst* last_instance_call_ = nullptr;
   std::vector<ValueId> run_values_;  ///< Of a loop's iteration, as Region::run_scalars.
   std::map<std::pair<llvm::Value*, uint64_t>, int> region_streams_;
-  std::map<llvm::Value*, int> region_channels_;
+  std::map<std::pair<llvm::Value*, uint64_t>, int> region_channels_;  ///< By object and place in it.
   /// Local scalars that an instance has set: that instance and its port.
   std::map<std::pair<llvm::Value*, uint64_t>, std::pair<int, int>> region_scalar_writers_;
   Process process_;

@@ -20,6 +20,7 @@ void share_in(Process& process, const Block& block, std::vector<ValueId>& stands
   std::map<std::pair<int, ValueId>, ValueId> words;  ///< By memory and address: the load, or what was stored.
   for (ValueId id : block.operations) {
     const Operation& op = process[id];
+    std::erase_if(words, [&](const auto& word) { return process.guards(op, word.first.first); });
     bool is_store = op.kind == OpKind::kStore;
     if (is_store) std::erase_if(words, [&](const auto& word) { return word.first.first == op.object; });
     if (!is_store && op.kind != OpKind::kLoad) continue;

@@ -2,6 +2,7 @@
 
 #include <clang/AST/ASTConsumer.h>
 #include <clang/AST/Mangle.h>
+#include <clang/AST/RecordLayout.h>
 #include <clang/AST/RecursiveASTVisitor.h>
 #include <clang/CodeGen/CodeGenAction.h>
 #include <clang/Frontend/CompilerInstance.h>
@@ -16,6 +17,8 @@
 #include <llvm/Linker/Linker.h>
 #include <llvm/Support/FileSystem.h>
 #include <llvm/Support/Path.h>
+
+#include <algorithm>
 
 #include "frontend/constant_calls.h"
 #include "frontend/directive_insertion.h"
@@ -103,6 +106,13 @@ void collect_streams(clang::ASTContext& context, clang::QualType type, llvm::Arr
     streams.push_back(place);
     streams.back().layout = layout_of(context, stream_element(type));
   } else {
+    for (const clang::CXXBaseSpecifier& base : record->bases()) {
+      StreamMember part = place;
+      part.byte_offset += context.getASTRecordLayout(record)
+                              .getBaseClassOffset(base.getType()->getAsCXXRecordDecl())
+                              .getQuantity();
+      collect_streams(context, base.getType(), {}, part, streams);
+    }
     for (const clang::FieldDecl* field : record->fields()) {
       StreamMember member = place;
       member.suffix += "_" + field->getNameAsString();
@@ -118,8 +128,20 @@ void collect_streams(clang::ASTContext& context, clang::QualType type, llvm::Arr
   }
 }
 
-/// The part of a parameter that its type tells; layout errors surface only where the parameter is used.
-Parameter describe(clang::ASTContext& context, const clang::ParmVarDecl* declaration) {
+/// What a struct holds beside its streams.
+TypeLayout members_beside(clang::ASTContext& context, clang::QualType type,
+                          const std::vector<StreamMember>& streams) {
+  TypeLayout layout = layout_of(context, type);
+  std::erase_if(layout.leaves, [&](const Leaf& leaf) {
+    return std::ranges::any_of(
+        streams, [&](const StreamMember& stream) { return stream.byte_offset == leaf.byte_offset; });
+  });
+  return layout;
+}
+
+/// The part of a parameter that its type tells; layout errors surface only where the parameter is used. In
+/// C simulation streams are objects of the library, of which the layout says nothing.
+Parameter describe(clang::ASTContext& context, const clang::ParmVarDecl* declaration, bool is_simulation) {
   Parameter parameter;
   parameter.name = declaration->getNameAsString();
   parameter.type_text = type_text(context, declaration->getType(), "%");
@@ -147,10 +169,13 @@ Parameter describe(clang::ASTContext& context, const clang::ParmVarDecl* declara
     parameter.dims.clear();  // One stream, by its address.
   parameter.is_const = type.isConstQualified() || !parameter.is_indirect;
   collect_streams(context, type, parameter.dims, {}, parameter.streams);
-  if (parameter.streams.empty())
+  if (parameter.streams.empty()) {
     parameter.layout = layout_of(context, type);
-  else
+  } else {
     parameter.layout = parameter.streams[0].layout;
+    if (parameter.dims.empty() && !is_simulation)
+      parameter.members = members_beside(context, type, parameter.streams);
+  }
   return parameter;
 }
 
@@ -224,7 +249,7 @@ class ProgramReader : public clang::SemaConsumer, public clang::RecursiveASTVisi
       for (const clang::ParmVarDecl* parameter : function->parameters()) {
         where = parameter->getLocation();
         instantiate(*parameter);
-        info.parameters.push_back(describe(*context_, parameter));
+        info.parameters.push_back(describe(*context_, parameter, options_.is_simulation));
       }
       where = function->getLocation();
       if (!function->getReturnType()->isVoidType())

@@ -43,6 +43,7 @@ struct Parameter {
   TypeLayout layout;      ///< Of the value, the referenced value, or one array element.
   std::vector<uint64_t> dims;         ///< Array dimensions; a leading 0 stands for a plain pointer.
   std::vector<StreamMember> streams;  ///< Not empty: the parameter is, or holds, streams.
+  TypeLayout members;                 ///< Of one struct that holds streams: what else it holds.
   bool is_indirect = false;           ///< Reference or pointer.
   bool is_const = false;              ///< The function cannot write to it.
 };

@@ -4,6 +4,7 @@
 #include <llvm/IR/GetElementPtrTypeIterator.h>
 
 #include "middle/llvm_headers.h"
+#include "middle/primitives.h"
 #include "middle/source_location.h"
 
 namespace hlsc {
@@ -84,6 +85,9 @@ class SubscriptSeparator {
         follow(gep, extended(offset, *cast<GEPOperator>(gep)));
       } else if (isa<LoadInst>(instruction) || isa<StoreInst>(instruction)) {
         rewrite(*instruction, pointer, offset);
+      } else if (auto* call = dyn_cast<CallInst>(instruction);
+                 call && primitive_of(*call) != Primitive::kNone) {
+        continue;  // A stream that the object holds.
       } else if (!isa<DbgInfoIntrinsic>(instruction) && !instruction->isLifetimeStartOrEnd()) {
         throw CompileError(nearest_location(*instruction),
                            "a pointer into '" + object_->getName().str() +
@@ -204,7 +208,7 @@ bool lies_between_processes(const Value& object) {
 /// Warns of the partition of an array between processes, which is one memory.
 bool wants_separation(Value* object, Type* type, const DirectiveTable& directives, Diagnostics& diagnostics) {
   if (holds_streams(type)) return false;
-  if (is_irregular(type)) return true;
+  if (is_irregular(type)) return !lies_between_processes(*object);
   std::vector<ObjectDirective> partitions = directives.of(object, "ARRAY_PARTITION");
   if (!partitions.empty() && lies_between_processes(*object)) {
     diagnostics.warn(partitions[0].location,
@@ -222,6 +226,12 @@ bool has_variable_subscript(const Value& pointer) {
   });
 }
 
+/// hls::stream_of_blocks.
+bool is_block_channel(const Type* type) {
+  auto* structure = dyn_cast_or_null<StructType>(type);
+  return structure && structure->hasName() && structure->getName().starts_with("class.hls::stream_of_blocks");
+}
+
 /// The type behind a parameter that is one struct with arrays (or its lone array) and is accessed with
 /// subscripts of its members alone; null for other parameters.
 Type* struct_with_arrays(const Program& program, Argument& argument) {
@@ -229,10 +239,10 @@ Type* struct_with_arrays(const Program& program, Argument& argument) {
   if (function == program.functions.end()) return nullptr;
   bool is_one = any_of(function->second.parameters, [&](const Parameter& parameter) {
     bool may_be_one = parameter.dims.empty() || (parameter.dims.size() == 1 && parameter.dims[0] == 0);
-    return argument.getName() == parameter.name && parameter.streams.empty() && may_be_one &&
-           parameter.layout.leaves.size() > 1;
+    const TypeLayout& layout = parameter.streams.empty() ? parameter.layout : parameter.members;
+    return argument.getName() == parameter.name && may_be_one && layout.leaves.size() > 1;
   });
-  if (!is_one || !has_variable_subscript(argument)) return nullptr;
+  if (!is_one) return nullptr;
   Type *structure = nullptr, *array = nullptr;  // The array: the first member, whose address is the struct's.
   for (User* user : argument.users()) {
     auto* gep = dyn_cast<GEPOperator>(user);
@@ -243,6 +253,7 @@ Type* struct_with_arrays(const Program& program, Argument& argument) {
     if (!first || !first->isZero() || (known && known != source)) return nullptr;
     known = source;
   }
+  if (!is_block_channel(structure) && !has_variable_subscript(argument)) return nullptr;
   return structure && is_irregular(structure) ? structure : structure ? nullptr : array;
 }
 

@@ -28,8 +28,10 @@ std::string typed(const char* name, const Type* type) {
   return std::string(name) + ".i" + std::to_string(type->getIntegerBitWidth());
 }
 
-// Streams are no memory of the program: loads and stores may move across their accesses.
-MemoryEffects stream_effects() { return MemoryEffects::inaccessibleMemOnly(); }
+// Streams are no memory of the program: loads and stores may move across their accesses, unless they lock it.
+MemoryEffects stream_effects(bool is_lock = false) {
+  return is_lock ? MemoryEffects::inaccessibleOrArgMemOnly() : MemoryEffects::inaccessibleMemOnly();
+}
 
 }  // namespace
 
@@ -48,14 +50,21 @@ Primitive primitive_of(const CallInst& call) {
   return Primitive::kNone;
 }
 
-CallInst* create_read(IRBuilder<>& builder, Value* stream, unsigned width, Value* predicate) {
-  Type* type = builder.getIntNTy(width);
-  return call_primitive(builder, typed("hls.read", type), type, {stream, predicate}, stream_effects());
+bool is_lock(const CallInst& call) {
+  const Function* callee = call.getCalledFunction();
+  return callee &&
+         (callee->getName().starts_with("hls.read.lock") || callee->getName().starts_with("hls.write.lock"));
 }
 
-CallInst* create_write(IRBuilder<>& builder, Value* stream, Value* data, Value* predicate) {
-  return call_primitive(builder, typed("hls.write", data->getType()), builder.getVoidTy(),
-                        {stream, data, predicate}, stream_effects());
+CallInst* create_read(IRBuilder<>& builder, Value* stream, unsigned width, Value* predicate, bool is_lock) {
+  Type* type = builder.getIntNTy(width);
+  return call_primitive(builder, typed(is_lock ? "hls.read.lock" : "hls.read", type), type,
+                        {stream, predicate}, stream_effects(is_lock));
+}
+
+CallInst* create_write(IRBuilder<>& builder, Value* stream, Value* data, Value* predicate, bool is_lock) {
+  return call_primitive(builder, typed(is_lock ? "hls.write.lock" : "hls.write", data->getType()),
+                        builder.getVoidTy(), {stream, data, predicate}, stream_effects(is_lock));
 }
 
 CallInst* create_status(IRBuilder<>& builder, const char* name, Value* stream) {

@@ -20,10 +20,14 @@ enum class Primitive {
 
 Primitive primitive_of(const llvm::CallInst& call);
 
+/// Whether a read or write is made with `is_lock`.
+bool is_lock(const llvm::CallInst& call);
+
+/// `is_lock`: what accesses the object that holds the stream does not pass the read or write.
 llvm::CallInst* create_read(llvm::IRBuilder<>& builder, llvm::Value* stream, unsigned width,
-                            llvm::Value* predicate);
+                            llvm::Value* predicate, bool is_lock = false);
 llvm::CallInst* create_write(llvm::IRBuilder<>& builder, llvm::Value* stream, llvm::Value* data,
-                             llvm::Value* predicate);
+                             llvm::Value* predicate, bool is_lock = false);
 /// hls.empty or hls.full.
 llvm::CallInst* create_status(llvm::IRBuilder<>& builder, const char* name, llvm::Value* stream);
 llvm::CallInst* create_load(llvm::IRBuilder<>& builder, llvm::Value* pointer, llvm::Type* type,

@@ -13,9 +13,12 @@ Value* leaf_address(IRBuilder<>& builder, Value* object, const Leaf& leaf) {
                           : object;
 }
 
+/// Those of hls::stream_of_blocks.
+bool locks(const CallInst& call) { return call.getCalledFunction()->getName().contains("_lock"); }
+
 void lower_read(CallInst& call, const TypeLayout& layout) {
   IRBuilder<> builder(&call);
-  Value* packed = create_read(builder, call.getArgOperand(0), layout.width(), builder.getTrue());
+  Value* packed = create_read(builder, call.getArgOperand(0), layout.width(), builder.getTrue(), locks(call));
   packed->setName("data");
   unsigned low = 0;
   for (const Leaf& leaf : layout.leaves) {
@@ -41,7 +44,7 @@ void lower_write(CallInst& call, const TypeLayout& layout) {
     packed = builder.CreateOr(packed, builder.CreateShl(value, low));
     low += leaf.width;
   }
-  create_write(builder, call.getArgOperand(0), packed, builder.getTrue());
+  create_write(builder, call.getArgOperand(0), packed, builder.getTrue(), locks(call));
 }
 
 void lower_status(CallInst& call, const char* name) {

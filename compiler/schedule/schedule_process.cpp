@@ -73,6 +73,7 @@ class BlockScheduler {
     add_stream_dependences();
     add_status_dependences();
     add_output_dependences();
+    add_lock_dependences();
     add_exit_dependences();
     problem_.limits = resources_.limits();
   }
@@ -391,6 +392,24 @@ class BlockScheduler {
         if (block_.is_loop) order(k, i, 1, 1);
       }
     }
+  }
+
+  /// A memory's accesses stay between the tokens that take and give it.
+  void add_lock_dependences() {
+    if (llvm::none_of(process_.streams, [](const Stream& stream) { return stream.is_lock; })) return;
+    auto touches = [&](const Operation& a, const Operation& b) {
+      bool is_other_lock =
+          a.is_stream_access() && b.is_stream_access() && process_.streams[a.object].is_lock &&
+          process_.streams[a.object].llvm_argument == process_.streams[b.object].llvm_argument;
+      return is_other_lock || (b.is_memory_access() && process_.guards(a, b.object));
+    };
+    for (size_t i = 0; i < block_.operations.size(); ++i)
+      for (size_t k = i + 1; k < block_.operations.size(); ++k) {
+        const Operation &first = process_[block_.operations[i]], &second = process_[block_.operations[k]];
+        if (!touches(first, second) && !touches(second, first)) continue;
+        order(i, k, 0, 1);
+        if (block_.is_loop) order(k, i, 1, 1);
+      }
   }
 
   /// The next iteration may act only when this one is known not to leave the loop.

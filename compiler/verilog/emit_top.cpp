@@ -147,12 +147,14 @@ class TopWriter {
     for (const RegionStream& stream : region.streams) {
       if (stream.argument >= 0)
         add_stream(stream, stream.writer < 0);
-      else
+      else if (stream.channel < 0)
         add_fifo(stream);
     }
     for (const std::string& tap : taps) add_tap(stream_between(region, tap));
     for (const RegionChannel& channel : region.channels)
       if (channel.reader >= 0) add_channel(channel);
+    for (const RegionStream& stream : region.streams)
+      if (stream.channel >= 0) add_tokens(stream, region.channels[stream.channel].name);
     for (const RegionScalar& scalar : region.scalars) declare_region_scalar(scalar);
     for (const ScalarPort& scalar : region.head.scalars)
       if (scalar.instance < 0) add_scalar(scalar);
@@ -334,24 +336,35 @@ class TopWriter {
                                              : channel.name + "_at" + std::to_string(byte_offset);
   }
 
-  /// Two banks per member; a bank goes to the reader when the writer's run ends, and back when the reader's
-  /// does.
+  /// Banks per member; a bank goes to the reader when the writer's run ends, and back when the reader's does,
+  /// or by tokens (add_tokens).
   void add_channel(const RegionChannel& channel) {
     const std::string& name = channel.name;
-    unsigned address = address_bits(channel.depth);
-    body_ << "\n    // " << name << ": two banks of " << channel.depth << " elements\n";
-    body_ << "    reg [1:0] " << name << "_filled;  // banks that wait for the reader\n    reg " << name
+    unsigned address = address_bits(channel.depth), bits = address_bits(channel.banks);
+    std::string count = std::to_string(bits + 1) + "'d", number = std::to_string(bits) + "'";
+    auto next = [&](const std::string& bank) {
+      return bits == 1 ? "~" + bank : bank + " + " + number + "d1";
+    };
+    auto counted = [&](const std::string& event) {
+      return "{" + std::to_string(bits) + "'b0, " + name + event + "}";
+    };
+    body_ << "\n    // " << name << ": " << (channel.banks == 2 ? "two" : std::to_string(channel.banks))
+          << " banks of " << channel.depth << " elements\n";
+    body_ << "    reg" << range_text(bits + 1) << " " << name
+          << "_filled;  // banks that wait for the reader\n    reg" << range_text(bits) << " " << name
           << "_write_bank, " << name << "_read_bank;\n";
     body_ << "    wire " << name << "_written, " << name << "_taken;\n";
-    body_ << "    wire " << name << "_free = (" << name << "_filled != 2'd2);\n    wire " << name
-          << "_ready = (" << name << "_filled != 2'd0);\n";
+    body_ << "    wire " << name << "_free = (" << name << "_filled != " << count << channel.banks
+          << ");\n    wire " << name << "_ready = (" << name << "_filled != " << count << "0);\n";
     body_ << "    always @(posedge ap_clk) begin\n        if (" << name << "_written) " << name
-          << "_write_bank <= ~" << name << "_write_bank;\n";
-    body_ << "        if (" << name << "_taken) " << name << "_read_bank <= ~" << name << "_read_bank;\n";
-    body_ << "        " << name << "_filled <= " << name << "_filled + {1'b0, " << name
-          << "_written} - {1'b0, " << name << "_taken};\n";
-    body_ << "        if (rst) begin\n            " << name << "_filled <= 2'd0;\n            " << name
-          << "_write_bank <= 1'b0;\n            " << name << "_read_bank <= 1'b0;\n        end\n    end\n";
+          << "_write_bank <= " << next(name + "_write_bank") << ";\n";
+    body_ << "        if (" << name << "_taken) " << name << "_read_bank <= " << next(name + "_read_bank")
+          << ";\n";
+    body_ << "        " << name << "_filled <= " << name << "_filled + " << counted("_written") << " - "
+          << counted("_taken") << ";\n";
+    body_ << "        if (rst) begin\n            " << name << "_filled <= " << count << "0;\n            "
+          << name << "_write_bank <= " << number << "b0;\n            " << name << "_read_bank <= " << number
+          << "b0;\n        end\n    end\n";
     for (auto [byte_offset, width] : channel.member_widths) {
       std::string member = member_name(channel, byte_offset);
       body_ << "    wire" << range_text(address) << " " << member << "_write_address, " << member
@@ -366,16 +379,32 @@ class TopWriter {
     }
   }
 
+  /// Streams of hls::stream_of_blocks: the writer claims a free bank and fills it, the reader takes a filled
+  /// one and gives it back.
+  void add_tokens(const RegionStream& stream, const std::string& channel) {
+    const std::string& name = stream.name;
+    body_ << "\n    // " << name << ": tokens of " << channel << "'s banks, "
+          << (stream.fills ? "filled" : "claimed") << "\n    wire " << name << "_din, " << name << "_write, "
+          << name << "_read;\n    wire " << name << "_dout = 1'b0;\n";
+    auto signal = [&](const char* suffix, const std::string& value) {
+      body_ << "    wire " << name << suffix << " = " << value << ";\n";
+    };
+    signal("_full_n", stream.fills ? "1'b1" : channel + "_free");
+    signal("_empty_n", stream.fills ? channel + "_ready" : "1'b1");
+    body_ << "    assign " << channel << (stream.fills ? "_written" : "_taken") << " = " << name
+          << (stream.fills ? "_write" : "_read") << ";\n";
+  }
+
   struct BankReader {
     std::string ram, enable, data;
   };
   /// A member's banks as one side reads them: `side` is _read or _write.
   void add_banks(const RegionChannel& channel, const std::string& member, unsigned width,
                  const std::string& side, const BankReader& reader) {
-    unsigned address = address_bits(channel.depth);
-    body_ << "    ram_1r1w #(\n        .WIDTH(" << width << "),\n        .DEPTH(" << (uint64_t{2} << address)
-          << "),\n        .ADDRESS_WIDTH(" << address + 1 << ")\n    ) " << reader.ram
-          << " (\n        .clk(ap_clk),\n        .write_enable(" << member
+    unsigned address = address_bits(channel.depth), bank = address_bits(channel.banks);
+    body_ << "    ram_1r1w #(\n        .WIDTH(" << width << "),\n        .DEPTH("
+          << (uint64_t{1} << (address + bank)) << "),\n        .ADDRESS_WIDTH(" << address + bank
+          << ")\n    ) " << reader.ram << " (\n        .clk(ap_clk),\n        .write_enable(" << member
           << "_write),\n        .write_address({" << channel.name << "_write_bank, " << member
           << "_write_address}),\n        .write_data(" << member << "_d),\n        .read_enable("
           << reader.enable << "),\n        .read_address({" << channel.name << side << "_bank, "
@@ -428,7 +457,7 @@ class TopWriter {
       } else {
         read(member + "_read", member + "_q");
       }
-      if (!seen.insert(port.channel).second) continue;
+      if (channel.has_locks || !seen.insert(port.channel).second) continue;
       gate += " & " + channel.name + (writes ? "_free" : "_ready");
       ends +=
           "    assign " + channel.name + (writes ? "_written = " : "_taken = ") + instance.name + "_done;\n";
@@ -683,8 +712,10 @@ class TopWriter {
   /// Without a start from outside, and with streams alone between them, instances need not wait for each
   /// other.
   bool runs_freely(const Region& region) const {
+    bool has_banks_of_runs = std::any_of(region.channels.begin(), region.channels.end(),
+                                         [](const RegionChannel& channel) { return !channel.has_locks; });
     bool has_runs = interface_.has_start || region.is_loop || !region.head.scalars.empty() ||
-                    !region.scalars.empty() || !region.channels.empty();
+                    !region.scalars.empty() || has_banks_of_runs;
     return !has_runs;
   }
 

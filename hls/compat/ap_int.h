@@ -95,16 +95,51 @@ struct ap_int_base : ap_detail::Bits<W, S> {
   }
 };
 
+namespace ap_detail {
+template <class T>
+using IfVolatile = typename std::enable_if<std::is_volatile<T>::value>::type;
+
+/// What a volatile number holds.
+template <class T>
+AP_INLINE Plain<T> now(T& x) {
+  return Plain<T>(FromBits(), x.V);
+}
+
+/// What a volatile number is set to; a type of its own, so that setting it is no copy assignment.
+template <int W, bool S>
+struct Assigned {
+  template <class T, class = IfOperand<T>>
+  AP_INLINE Assigned(const T& x) : value(x) {}
+  template <class T, class = IfVolatile<T>, class = void>
+  AP_INLINE Assigned(T& x) : value(now(x)) {}
+  ap_int_base<W, S> value;
+};
+}  // namespace ap_detail
+
 template <int W>
 struct ap_int : ap_int_base<W, true> {
   using ap_int_base<W, true>::ap_int_base;
   ap_int() = default;
+  template <class T, class = ap_detail::IfVolatile<T>, class = void>
+  AP_INLINE ap_int(T& x) : ap_int(ap_detail::now(x)) {}
+  template <class T, class = ap_detail::IfVolatile<T>>
+  AP_INLINE ap_int& operator=(T& x) {
+    return *this = ap_int(x);
+  }
+  AP_INLINE void operator=(ap_detail::Assigned<W, true> x) volatile { this->V = x.value.V; }
 };
 
 template <int W>
 struct ap_uint : ap_int_base<W, false> {
   using ap_int_base<W, false>::ap_int_base;
   ap_uint() = default;
+  template <class T, class = ap_detail::IfVolatile<T>, class = void>
+  AP_INLINE ap_uint(T& x) : ap_uint(ap_detail::now(x)) {}
+  template <class T, class = ap_detail::IfVolatile<T>>
+  AP_INLINE ap_uint& operator=(T& x) {
+    return *this = ap_uint(x);
+  }
+  AP_INLINE void operator=(ap_detail::Assigned<W, false> x) volatile { this->V = x.value.V; }
 };
 
 #ifndef __SYNTHESIS__
