@@ -34,6 +34,7 @@
 #include "middle/array_access.h"
 #include "middle/array_initialisers.h"
 #include "middle/call_loop.h"
+#include "middle/constant_tables.h"
 #include "middle/dataflow_regions.h"
 #include "middle/flatten.h"
 #include "middle/host_calls.h"
@@ -41,6 +42,7 @@
 #include "middle/llvm_headers.h"
 #include "middle/memory_copies.h"
 #include "middle/pointer_choices.h"
+#include "middle/pointer_tables.h"
 #include "middle/primitives.h"
 #include "middle/source_location.h"
 #include "middle/split_accesses.h"
@@ -48,6 +50,7 @@
 #include "middle/stream_lowering.h"
 #include "middle/stream_queues.h"
 #include "middle/tasks.h"
+#include "middle/union_locals.h"
 
 namespace hlsc {
 namespace {
@@ -449,12 +452,13 @@ void convert_loops(Function& function, Optimizer& optimizer) {
   }
 }
 
-bool holds_stream(Type* type) {
-  if (auto* array = dyn_cast<ArrayType>(type)) return holds_stream(array->getElementType());
+bool holds_stream_or_task(Type* type) {
+  if (auto* array = dyn_cast<ArrayType>(type)) return holds_stream_or_task(array->getElementType());
   auto* structure = dyn_cast<StructType>(type);
   if (!structure) return false;
-  return (structure->hasName() && structure->getName().starts_with("class.hls::stream")) ||
-         any_of(structure->elements(), holds_stream);
+  StringRef name = structure->hasName() ? structure->getName() : "";
+  return name.starts_with("class.hls::stream") || name.starts_with("class.hls::task") ||
+         any_of(structure->elements(), holds_stream_or_task);
 }
 
 /// What a port without handshake gives does not change while C++ looks on, so accesses may be joined.
@@ -505,12 +509,13 @@ void drop_volatile(Module& module, Diagnostics& diagnostics) {
 
 }  // namespace
 
-bool declares_streams(const Module& module) {
+bool declares_streams_or_tasks(const Module& module) {
   for (const GlobalVariable& global : module.globals())
-    if (holds_stream(global.getValueType())) return true;
+    if (holds_stream_or_task(global.getValueType())) return true;
   for (const Function& function : module)
     for (const Instruction& instruction : instructions(function))
-      if (auto* local = dyn_cast<AllocaInst>(&instruction); local && holds_stream(local->getAllocatedType()))
+      if (auto* local = dyn_cast<AllocaInst>(&instruction);
+          local && holds_stream_or_task(local->getAllocatedType()))
         return true;
   return false;
 }
@@ -552,11 +557,18 @@ MiddleResult run_middle(Program& program, const LoopChoice& keeps_apart, bool in
   construct_static_objects(module);
   build_stream_queues(module, result.directives, diagnostics);
   optimizer.functions().clear();  // Copies and constructors changed the control flow.
-  for (Function& function : module) resolve_pointer_choices(function);
+  for (Function& function : module) {
+    resolve_pointer_tables(function);
+    resolve_pointer_choices(function);
+  }
   optimizer.promote_locals();
-  for (Function& function : module) split_wide_accesses(function);
+  for (Function& function : module) {
+    unions_to_integers(function);
+    split_wide_accesses(function);
+  }
   separate_subscripts(program, result.directives, diagnostics);
   optimizer.optimize();
+  for (Function& function : module) make_tables_constant(function);
   for (const std::string& name : result.processes) check_unrolled(*module.getFunction(name), diagnostics);
   overlap_calls(program, result.processes, diagnostics);
   optimizer.simplify_call_loops();

@@ -28,7 +28,7 @@ MiddleResult run_middle(Program& program, const LoopChoice& keeps_apart, bool in
                         Diagnostics& diagnostics);
 
 /// Whether the program has streams beside those of parameters.
-bool declares_streams(const llvm::Module& module);
+bool declares_streams_or_tasks(const llvm::Module& module);
 
 }  // namespace hlsc
 

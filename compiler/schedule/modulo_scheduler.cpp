@@ -15,20 +15,28 @@ int carried_gap(const ScheduleProblem& problem, const Dependence& dependence) {
   return dependence.is_data ? problem.operations[dependence.from].latency + 1 : dependence.min_cycles;
 }
 
+/// By operation: its dependences of distance 0.
+using Incoming = std::vector<std::vector<size_t>>;
+
+Incoming incoming_of(const ScheduleProblem& problem) {
+  Incoming incoming(problem.operations.size());
+  for (size_t i = 0; i < problem.dependences.size(); ++i)
+    if (problem.dependences[i].distance == 0) incoming[problem.dependences[i].to].push_back(i);
+  return incoming;
+}
+
 /// Places operations as soon as possible in their given order, then moves targets of violated carried
 /// dependences later and repeats: the least fixed point of the difference constraints, with chaining and
 /// resources kept exact in every round.
 class AsapSolver {
  public:
-  AsapSolver(const ScheduleProblem& problem, Schedule& schedule, ScheduleFailure& failure)
+  AsapSolver(const ScheduleProblem& problem, const Incoming& incoming, Schedule& schedule,
+             ScheduleFailure& failure)
       : problem_(problem),
+        incoming_(incoming),
         schedule_(schedule),
         failure_(failure),
-        incoming_(problem.operations.size()),
-        not_before_(problem.operations.size(), 0) {
-    for (size_t i = 0; i < problem.dependences.size(); ++i)
-      if (problem.dependences[i].distance == 0) incoming_[problem.dependences[i].to].push_back(i);
-  }
+        not_before_(problem.operations.size(), 0) {}
 
   /// From a solution: no operation comes earlier than there.
   void start_from(const std::vector<int>& cycles) { not_before_ = cycles; }
@@ -128,9 +136,9 @@ class AsapSolver {
   }
 
   const ScheduleProblem& problem_;
+  const Incoming& incoming_;
   Schedule& schedule_;
   ScheduleFailure& failure_;
-  std::vector<std::vector<size_t>> incoming_;
   std::vector<int> not_before_;
   std::vector<std::map<int, int>> used_;
 };
@@ -147,7 +155,10 @@ int length_of(const ScheduleProblem& problem, const Schedule& schedule) {
 class RegisterSaver {
  public:
   RegisterSaver(const ScheduleProblem& problem, Schedule& schedule)
-      : problem_(problem), best_(schedule), bits_(register_bits(problem, schedule)) {
+      : problem_(problem),
+        incoming_(incoming_of(problem)),
+        best_(schedule),
+        bits_(register_bits(problem, schedule)) {
     length_ = length_of(problem, schedule);
     tries_left_ = kMostWork / std::max<size_t>(1, problem.operations.size());
   }
@@ -170,7 +181,7 @@ class RegisterSaver {
     while (++cycles[op] < length_ && tries_left_-- > 0) {
       Schedule tried;
       ScheduleFailure failure;
-      AsapSolver solver(problem_, tried, failure);
+      AsapSolver solver(problem_, incoming_, tried, failure);
       solver.start_from(cycles);
       if (!solver.run() || !keeps_what_is_fixed(tried)) break;
       unsigned bits = register_bits(problem_, tried);
@@ -190,6 +201,7 @@ class RegisterSaver {
   }
 
   const ScheduleProblem& problem_;
+  const Incoming incoming_;
   Schedule& best_;
   unsigned bits_;
   int length_;
@@ -209,8 +221,8 @@ unsigned register_bits(const ScheduleProblem& problem, const Schedule& schedule)
     return schedule.cycle[op] + operation.latency + (operation.is_register ? ii - 1 : 0);
   };
   std::vector<int> last_use(problem.operations.size(), 0);
-  // By operation: when registers of the next iteration take its result.
-  std::vector<std::set<int>> taken(problem.operations.size());
+  std::set<std::pair<int, int>>
+      taken;  // Operations, and when registers of the next iteration take their result.
   for (const Dependence& dependence : problem.dependences) {
     if (!dependence.is_data) continue;
     const ScheduleOperation &from = problem.operations[dependence.from],
@@ -219,19 +231,19 @@ unsigned register_bits(const ScheduleProblem& problem, const Schedule& schedule)
     int use = schedule.cycle[dependence.to] + dependence.distance * ii - (is_carried ? 1 : 0);
     last_use[dependence.from] = std::max(last_use[dependence.from], use);
     if (dependence.distance == 1 && to.is_register && to.bits == from.bits)
-      taken[dependence.from].insert(use);
+      taken.insert({dependence.from, use});
   }
   unsigned bits = 0;
   for (size_t op = 0; op < problem.operations.size(); ++op) {
     int there = last_cycle(op), waits = last_use[op] - there;
     for (int copy = 0; copy * ii < waits; ++copy)
-      if (!taken[op].count(there + copy * ii)) bits += problem.operations[op].bits;
+      if (!taken.count({op, there + copy * ii})) bits += problem.operations[op].bits;
   }
   return bits;
 }
 
 bool solve(const ScheduleProblem& problem, Schedule& schedule, ScheduleFailure& failure) {
-  return AsapSolver(problem, schedule, failure).run();
+  return AsapSolver(problem, incoming_of(problem), schedule, failure).run();
 }
 
 std::string verify(const ScheduleProblem& problem, const Schedule& schedule) {

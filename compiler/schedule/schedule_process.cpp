@@ -100,7 +100,7 @@ class BlockScheduler {
           throw CompileError(block_.location, "the loop has no schedule with an II up to " +
                                                   std::to_string(kMaxIi) + ": " + summary.limit);
       }
-      save_registers(problem_, schedule);
+      if (options_.saves_registers) save_registers(problem_, schedule);
       summary.ii = problem_.ii;
       if (block_.wanted_ii && summary.ii > wanted)
         diagnostics.warn(block_.location, "II = " + std::to_string(wanted) + " is not reached, II is " +

@@ -27,8 +27,9 @@ struct ProcessSchedule {
 
 struct ScheduleOptions {
   Target target;
-  double period = 10;   ///< ns
-  double margin = 0.2;  ///< Share of the period kept for routing and clock skew.
+  double period = 10;           ///< ns
+  double margin = 0.2;          ///< Share of the period kept for routing and clock skew.
+  bool saves_registers = true;  ///< Else operations stay as early as they can be: the same II in less time.
 };
 
 ProcessSchedule schedule_process(const Process& process, const ScheduleOptions& options,

@@ -140,12 +140,14 @@ class Compilation {
   /// Gives memories another port where a loop comes nearer to the II asked for by that.
   void add_memory_ports(Process& process) const {
     Diagnostics ignored;
-    ProcessSchedule schedule = schedule_process(process, schedule_options_, ignored);
+    ScheduleOptions options = schedule_options_;
+    options.saves_registers = false;
+    ProcessSchedule schedule = schedule_process(process, options, ignored);
     for (size_t block = 0; block < process.blocks.size(); ++block) {
       Process wider = process;
       ProcessSchedule after = schedule;
       while (add_memory_port(wider, process.blocks[block], after.blocks[block].limiting_memory))
-        after = schedule_process(wider, schedule_options_, ignored);
+        after = schedule_process(wider, options, ignored);
       if (after.blocks[block].ii >= schedule.blocks[block].ii) continue;
       process = std::move(wider);
       schedule = std::move(after);
@@ -233,9 +235,9 @@ class Compilation {
   NameTable names_;
 };
 
-bool has_streams_between(const CompileOptions& options) {
+bool needs_processes(const CompileOptions& options) {
   Program program = parse_program(options.frontend);
-  return declares_streams(*program.module);
+  return declares_streams_or_tasks(*program.module);
 }
 
 /// Nests are flattened where that costs no II: those that miss theirs are tried apart.
@@ -257,12 +259,13 @@ CompileResult compile_best(const CompileOptions& options, bool in_sequence) {
 }
 
 /// A DATAFLOW function whose calls cannot be processes runs them one after the other, as C++ does, with a
-/// warning that says why; unless streams lie between them, whose depth that would take nobody knows.
+/// warning that says why; unless streams lie between them, whose depth that would take nobody knows, or they
+/// are tasks, which do not end.
 CompileResult compile_any(const CompileOptions& options) {
   try {
     return compile_best(options, /*in_sequence=*/false);
   } catch (const RegionError& reason) {
-    if (reason.where().line == 0 || has_streams_between(options)) throw;
+    if (reason.where().line == 0 || needs_processes(options)) throw;
     CompileResult result = compile_best(options, /*in_sequence=*/true);
     Diagnostics all;
     all.warn(reason.where(),

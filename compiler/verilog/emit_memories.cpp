@@ -9,6 +9,8 @@ namespace {
 /// Address bits of the longest RAM that Virtex-6 makes without logic: two RAMB36E1 in cascade hold 64K x 1.
 constexpr unsigned kCascadeAddress = 16;
 
+constexpr size_t kTermsInLine = 256;
+
 /// The elements of a concatenation, the last one in the highest bits.
 std::string last_first(const std::map<int, std::string>& elements) {
   std::string out;
@@ -57,10 +59,13 @@ ProcessEmitter::PortSignals ProcessEmitter::port_of(const Memory& memory,
     std::string when = is_load ? happens(at) : happens(op, at);
     for (int stage = 1; is_load && stage < static_cast<int>(memory.load_latency); ++stage)
       port.advance[stage] += (i ? " | (" : "(") + happens({op.block, at.cycle + stage}) + ")";
-    port.enable += (i ? " | " : "") + (users.size() > 1 ? "(" + when + ")" : when);
+    // Verilator refuses lines of some ten thousand words.
+    std::string end_of_line = i % kTermsInLine == kTermsInLine - 1 ? "\n            " : "";
+    port.enable += (i ? " | " : "") + (users.size() > 1 ? "(" + when + ")" : when) + end_of_line;
     std::string wish =
         active(at) + (op.predicate != kNoValue && !is_load ? " & " + bit(op.predicate, at) : "");
     std::string choice = is_last ? "" : wish + " ? ", otherwise = is_last ? "" : " : ";
+    otherwise += end_of_line;
     port.address += choice + text(op.operands[0], address_bits(memory.depth), at) + otherwise;
     if (!is_load) port.data += choice + text(op.operands[1], memory.width, at) + otherwise;
   }
