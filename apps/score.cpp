@@ -98,10 +98,7 @@ class Scorer {
   }
 
   void add(const DriveFrame& frame, const Finding& finding, const Model& model) {
-    // The grid weighs lone lines too: they come again where something stands.
-    const std::vector<golden::Obstacle> clusters =
-        golden::cluster(finding.points, frame.golden.cluster_gap_m, 1);
-    grid_.add(planar(frame.world_from_robot), floor_rays(frame.golden, finding.points), places(clusters),
+    grid_.add(planar(frame.world_from_robot), floor_rays(frame.golden, finding.points),
               frame.plan.parallax_px);
     if (!frame.plan.mature) return;
     ++score_.frames;

@@ -298,7 +298,7 @@ void add_check(report::Document& document, Drive& drive, const ReportRequest& re
     truth = render::read_truth(*folder / "contacts.json");
   Grid grid{GridSettings{}};
   const CheckResult result = check(drive, [&](const CheckedFrame& frame) {
-    grid.add(planar(frame.input.world_from_robot), floor_rays(frame.input.golden, frame.kernel.points), {},
+    grid.add(planar(frame.input.world_from_robot), floor_rays(frame.input.golden, frame.kernel.points),
              frame.input.plan.parallax_px);
     if (chosen.count(frame.input.index) == 0) return;
     document.frames.push_back(shown_frame(frame, stages, range));

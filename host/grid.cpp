@@ -6,7 +6,6 @@
 #include <cmath>
 #include <functional>
 #include <optional>
-#include <set>
 
 #include "host/atomic_file.h"
 #include "host/error.h"
@@ -18,6 +17,11 @@ namespace {
 /// map_server's grey levels and the thresholds that tell them apart.
 constexpr uchar occupied_grey = 0, free_grey = 254, unknown_grey = 205;
 constexpr double occupied_threshold = 0.65, free_threshold = 0.196;
+
+/// No body is looked at higher than this share of the camera's height: slides beyond are errors.
+constexpr double steepest_slide = -0.6;
+/// What a sighting weighs at least, however small its parallax.
+constexpr double least_weight = 0.05;
 
 std::optional<Eigen::Vector2d> floor_at(const cv::Matx33d& floor_from_pixel, cv::Point pixel) {
   const cv::Vec3d floor = floor_from_pixel * cv::Vec3d(pixel.x, pixel.y, 1);
@@ -75,16 +79,41 @@ GridSettings grid_settings(double camera_height_m) {
   settings.range_m *= scale;
   settings.radius_m *= scale;
   settings.merge_m *= scale;
+  settings.steadying_m2 *= scale * scale;
   return settings;
+}
+
+SlidingPlace::SlidingPlace(double memory, double steadying_m2)
+    : keep_(1 - 1 / memory), steadying_m2_(steadying_m2) {}
+
+void SlidingPlace::add(const Eigen::Vector2d& place, const Eigen::Vector2d& robot, double weight) {
+  weight_ = keep_ * weight_ + weight;
+  const Eigen::Vector2d from_mean = robot - mean_robot_;
+  mean_robot_ += weight / weight_ * from_mean;
+  mean_place_ += weight / weight_ * (place - mean_place_);
+  robot_square_ = keep_ * robot_square_ + weight * from_mean.dot(robot - mean_robot_);
+  cross_product_ = keep_ * cross_product_ + weight * from_mean.dot(place - mean_place_);
+}
+
+double SlidingPlace::slide() const {
+  return std::clamp(cross_product_ / (robot_square_ + steadying_m2_), steepest_slide, 0.0);
+}
+
+Eigen::Vector2d SlidingPlace::foot() const { return (mean_place_ - slide() * mean_robot_) / (1 - slide()); }
+
+Eigen::Vector2d SlidingPlace::seen_from(const Eigen::Vector2d& robot) const {
+  return mean_place_ + slide() * (robot - mean_robot_);
 }
 
 Grid::Grid(const GridSettings& settings) : settings_(settings) {}
 
-void Grid::add(const PlanarPose& robot, const std::vector<FloorRay>& rays,
-               const std::vector<Eigen::Vector2d>& obstacles, double parallax_px) {
+void Grid::add(const PlanarPose& robot, const std::vector<FloorRay>& rays, double parallax_px) {
   const View view = {isometry2(robot), rays, parallax_px};
   add_rays(view);
-  add_reports(view, obstacles);
+  std::vector<End> line_ends = ends(view);
+  see_again(view, line_ends);
+  discover(view, line_ends);
+  std::erase_if(candidates_, [](const Candidate& candidate) { return candidate.log_odds < 0; });
 }
 
 void Grid::add_rays(const View& view) {
@@ -110,36 +139,66 @@ void Grid::add_rays(const View& view) {
   for (const auto& [cell, evidence] : judged) log_odds_[cell] = limited(log_odds_[cell] + evidence);
 }
 
-void Grid::add_reports(const View& view, const std::vector<Eigen::Vector2d>& obstacles) {
-  std::set<int> reported;
-  for (const Eigen::Vector2d& obstacle : obstacles) {
-    if (obstacle.norm() > settings_.range_m) continue;
-    const Eigen::Vector2d place = view.world_from_robot * obstacle;
-    const double evidence = settings_.report_log_odds * report_share(view, obstacle.norm());
-    const auto distance = [&](const Candidate& c) { return (c.place - place).norm(); };
-    const auto nearest = std::ranges::min_element(candidates_, {}, distance);
-    if (nearest == candidates_.end() || distance(*nearest) > settings_.radius_m) {
-      candidates_.push_back({next_id_, place, 1, evidence});
-      reported.insert(next_id_++);
-    } else if (reported.insert(nearest->id).second) {  // A second report in one frame is no second frame.
-      ++nearest->reports;
-      nearest->place +=
-          (place - nearest->place) / std::min<double>(nearest->reports, settings_.settling_reports);
-      nearest->log_odds = limited(nearest->log_odds + evidence);
-    }
+std::vector<Grid::End> Grid::ends(const View& view) const {
+  std::vector<End> ends;
+  for (const FloorRay& ray : view.rays) {
+    if (ray.hit && ray.free.norm() <= settings_.range_m) ends.push_back({ray.free});
   }
-  const Eigen::Isometry2d robot_from_world = view.world_from_robot.inverse();
-  for (Candidate& candidate : candidates_) {
-    const Eigen::Vector2d seen_from_robot = robot_from_world * candidate.place;
-    if (reported.contains(candidate.id) || !in_view(view, seen_from_robot)) continue;
-    candidate.log_odds += settings_.absence_log_odds * absence_share(view, seen_from_robot.norm());
-  }
-  std::erase_if(candidates_, [](const Candidate& candidate) { return candidate.log_odds < 0; });
+  std::ranges::sort(ends, {}, [](const End& end) { return end.place.norm(); });
+  return ends;
 }
 
-bool Grid::in_view(const View& view, const Eigen::Vector2d& place) const {
+void Grid::see_again(const View& view, std::vector<End>& ends) {
+  const Eigen::Isometry2d robot_from_world = view.world_from_robot.inverse();
+  std::ranges::stable_sort(candidates_, std::greater(),
+                           &Candidate::log_odds);  // The surest one chooses first.
+  for (Candidate& candidate : candidates_) {
+    const Eigen::Vector2d expected = robot_from_world * candidate.place.seen_from(view.robot());
+    const End* nearest = nullptr;
+    for (End& end : ends) {
+      const double distance = (end.place - expected).norm();
+      if (end.taken || distance > settings_.radius_m) continue;
+      end.taken = true;
+      if (!nearest || distance < (nearest->place - expected).norm()) nearest = &end;
+    }
+    if (nearest) {
+      const double share = report_share(view, nearest->place.norm());
+      ++candidate.reports;
+      candidate.log_odds = limited(candidate.log_odds + settings_.report_log_odds * share);
+      candidate.place.add(view.world_from_robot * nearest->place, view.robot(),
+                          std::max(share, least_weight));
+    } else if (proven_free(view, expected)) {
+      candidate.log_odds += settings_.absence_log_odds * absence_share(view, expected.norm());
+    }
+  }
+}
+
+void Grid::discover(const View& view, std::vector<End>& ends) {
+  for (const End& nearest : ends) {
+    const Eigen::Vector2d place = nearest.place;
+    if (nearest.taken || is_near_a_candidate(view, place)) continue;
+    for (End& end : ends) end.taken = end.taken || (end.place - place).norm() <= settings_.radius_m;
+    const double share = report_share(view, place.norm());
+    candidates_.push_back({next_id_++,
+                           {settings_.settling_reports, settings_.steadying_m2},
+                           1,
+                           settings_.first_log_odds * share});
+    candidates_.back().place.add(view.world_from_robot * place, view.robot(), std::max(share, least_weight));
+  }
+}
+
+bool Grid::is_near_a_candidate(const View& view, const Eigen::Vector2d& place) const {
+  const Eigen::Vector2d in_world = view.world_from_robot * place;
+  return std::ranges::any_of(candidates_, [&](const Candidate& candidate) {
+    const double to_foot = (candidate.place.foot() - in_world).norm();
+    const double to_expected = (candidate.place.seen_from(view.robot()) - in_world).norm();
+    return std::min(to_foot, to_expected) < settings_.radius_m;
+  });
+}
+
+bool Grid::proven_free(const View& view, const Eigen::Vector2d& place) const {
   return place.norm() <= settings_.range_m && std::ranges::any_of(view.rays, [&](const FloorRay& ray) {
-           return distance_to_segment(place, ray.near, ray.far) <= settings_.resolution_m;
+           return distance_to_segment(place, ray.near, ray.free) <= settings_.resolution_m;
          });
 }
 
@@ -163,10 +222,11 @@ std::vector<ConfirmedObstacle> Grid::confirmed() const {
   std::ranges::stable_sort(surest, std::greater(), &Candidate::log_odds);
   std::vector<ConfirmedObstacle> confirmed;
   for (const Candidate& candidate : surest) {
+    const Eigen::Vector2d foot = candidate.place.foot();
     const bool stands = std::ranges::none_of(confirmed, [&](const ConfirmedObstacle& surer) {
-      return (surer.place - candidate.place).norm() < settings_.merge_m;
+      return (surer.place - foot).norm() < settings_.merge_m;
     });
-    if (stands) confirmed.push_back({candidate.id, candidate.place, candidate.reports});
+    if (stands) confirmed.push_back({candidate.id, foot, candidate.reports});
   }
   std::ranges::sort(confirmed, {}, &ConfirmedObstacle::id);
   return confirmed;
