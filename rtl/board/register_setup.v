@@ -27,6 +27,8 @@ module register_setup #(
     localparam [31:0] LINE_COUNT = LINES;
     localparam [31:0] SPACING    = WIDTH / (LINES + 1);
     localparam [31:0] ONE        = 32'h0004_0000;  // Q14.18
+    localparam [31:0] MIDDLE_U   = (WIDTH / 2) * ONE;
+    localparam [31:0] MIDDLE_V   = (HEIGHT / 2) * ONE;
     localparam [31:0] ONE_Z      = 32'h1000_0000;  // Q4.28
 
     // Steps: 0 to 4 * LINES - 1 the line table, then the parameters, then UPDATE and CONTROL; numbered by
@@ -60,7 +62,9 @@ module register_setup #(
                 10'd7:  value = LINE_COUNT;     // LINE_COUNT
                 10'd8:  value = 32'h0000_8000;  // CLUSTER_GAP: 0.5 m
                 10'd9:  value = ONE;            // HOMOGRAPHY_XU
+                10'd11: value = -MIDDLE_U;      // HOMOGRAPHY_X1
                 10'd13: value = ONE;            // HOMOGRAPHY_YV
+                10'd14: value = -MIDDLE_V;      // HOMOGRAPHY_Y1
                 10'd17: value = ONE_Z;          // HOMOGRAPHY_Z1
                 10'd18: value = 32'd2621;       // BIRDSEYE_XU: 1 cm a pixel
                 10'd22: value = 32'd2621;       // BIRDSEYE_YV
