@@ -183,8 +183,8 @@ class Optimizer {
     run(std::move(late));
   }
 
-  /// What became values of one call for the next. Nothing may leave the loop, in which arguments change; so no
-  /// SimplifyCFG, which peels the first call off where it finds a branch by a start value.
+  /// What became values of one call for the next. Nothing may leave the loop, in which arguments change; so
+  /// no SimplifyCFG, which peels the first call off where it finds a branch by a start value.
   void simplify_call_loops() {
     FunctionPassManager passes;
     passes.addPass(EarlyCSEPass());

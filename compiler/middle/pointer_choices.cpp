@@ -6,6 +6,7 @@
 
 #include <numeric>
 
+#include "middle/byte_offset.h"
 #include "middle/primitives.h"
 
 namespace hlsc {
@@ -221,14 +222,6 @@ void remove_dead_pointers(Function& function) {
     for (PHINode& phi : make_early_inc_range(block.phis()))
       if (phi.getType()->isPointerTy()) RecursivelyDeleteDeadPHINode(&phi);
   }
-}
-
-/// Bytes from `object` to `pointer`, which lies in it; null when the way is not known.
-Value* bytes_from(IRBuilder<>& builder, const DataLayout& layout, Value* object, Value* pointer) {
-  if (pointer == object) return builder.getInt64(0);
-  auto* gep = dyn_cast<GEPOperator>(pointer);
-  Value* before = gep ? bytes_from(builder, layout, object, gep->getPointerOperand()) : nullptr;
-  return before ? builder.CreateNSWAdd(before, emitGEPOffset(&builder, layout, gep)) : nullptr;
 }
 
 /// `pointer != end` where both lead into one object compares places in it.

@@ -1,10 +1,10 @@
 #include "middle/pointer_tables.h"
 
 #include <llvm/Analysis/ConstantFolding.h>
-#include <llvm/Analysis/Utils/Local.h>
 
 #include <map>
 
+#include "middle/byte_offset.h"
 #include "middle/llvm_headers.h"
 
 namespace hlsc {
@@ -47,7 +47,7 @@ class PointerTable {
     for (LoadInst* load : loads_) {
       if (load->getFunction() != &function) continue;
       IRBuilder<> builder(load);
-      Value* place = bytes_before(builder, load->getPointerOperand());
+      Value* place = bytes_from(builder, *layout_, table_, load->getPointerOperand());
       Value* chosen = entries_.begin()->second;
       for (auto [bytes, entry] : entries_)
         if (entry != chosen)
@@ -78,13 +78,6 @@ class PointerTable {
       }
     }
     return true;
-  }
-
-  Value* bytes_before(IRBuilder<>& builder, Value* pointer) {
-    if (pointer == table_) return builder.getInt64(0);
-    auto* gep = cast<GEPOperator>(pointer);
-    return builder.CreateAdd(bytes_before(builder, gep->getPointerOperand()),
-                             emitGEPOffset(&builder, *layout_, gep));
   }
 
   const DataLayout* layout_ = nullptr;

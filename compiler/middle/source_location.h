@@ -12,7 +12,8 @@ namespace hlsc {
 
 /// Types and streams of the vendor's library and the language's own headers are not the user's source.
 inline bool is_library_file(llvm::StringRef file) {
-  return file.contains("/hls_stream") || file.contains("/hls_task.h") || file.contains("/compat/") || file.contains("/include/c++/");
+  return file.contains("/hls_stream") || file.contains("/hls_task.h") || file.contains("/compat/") ||
+         file.contains("/include/c++/");
 }
 
 inline SourceLocation location_of(const llvm::DebugLoc& debug) {

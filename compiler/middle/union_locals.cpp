@@ -1,7 +1,6 @@
 #include "middle/union_locals.h"
 
-#include <llvm/Analysis/Utils/Local.h>
-
+#include "middle/byte_offset.h"
 #include "middle/llvm_headers.h"
 
 namespace hlsc {
@@ -52,7 +51,8 @@ class UnionRewriter {
     IRBuilder<> builder(&access);
     auto* store = dyn_cast<StoreInst>(&access);
     Value* pointer = store ? store->getPointerOperand() : cast<LoadInst>(access).getPointerOperand();
-    Value* bits = builder.CreateShl(builder.CreateZExtOrTrunc(bytes_before(builder, pointer), type_), 3);
+    Value* bits = builder.CreateShl(
+        builder.CreateZExtOrTrunc(bytes_from(builder, layout_, &local_, pointer), type_), 3);
     Value* word = builder.CreateLoad(type_, whole_);
     if (store) {
       Value* part = store->getValueOperand();
@@ -68,13 +68,6 @@ class UnionRewriter {
   }
 
  private:
-  Value* bytes_before(IRBuilder<>& builder, Value* pointer) {
-    if (pointer == &local_) return builder.getInt64(0);
-    auto* gep = cast<GEPOperator>(pointer);
-    return builder.CreateAdd(bytes_before(builder, gep->getPointerOperand()),
-                             emitGEPOffset(&builder, layout_, gep));
-  }
-
   const DataLayout& layout_;
   AllocaInst& local_;
   IntegerType* type_;

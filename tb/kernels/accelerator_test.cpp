@@ -7,6 +7,7 @@
 #include <random>
 
 #include "host/error.h"
+#include "host/fixed_point.h"
 #include "host/line_table.h"
 #include "tb/csim/csim.h"
 
@@ -38,10 +39,7 @@ FrameParameters parameters(cv::Size image = kImage) {
   p.roi_first_row = 10;
   p.roi_last_row = 119;
   p.cluster_gap = 1 << 14;
-  p.homography.xu = p.homography.yv = 1 << 18;
-  p.homography.x1 = -(image.width / 2 << 18);
-  p.homography.y1 = -(image.height / 2 << 18);
-  p.homography.z1 = 1 << 28;
+  p.homography = pack_homography(Eigen::Matrix3d::Identity(), image, cv::Rect({}, image)).map;
   p.birdseye.xv = -2621;
   p.birdseye.x1 = 3 << 18;
   p.birdseye.yu = -2621;
